@@ -1,5 +1,5 @@
-// Begins a scene from a geometry or mesh: lists its groups, takes its bodies, proposes contacts between sides that face each other, and
-// writes a scene file that runs.
+// Creates a scene file that runs from a geometry or mesh: lists its groups, identifies its bodies, and proposes contacts between sides that
+// face each other.
 #include <CLI/CLI.hpp>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -32,39 +32,39 @@ struct Options {
   std::optional<int> parse(int argc, char* argv[]) {
     const auto describe = [&](CLI::App& app) {
       app.add_option("GEOMETRY", geometry, "Geometry (.geo) or mesh (.msh, .h5)")->required()->type_name("FILE");
-      app.add_option("--output", output, "Scene file to write; <geometry>.xml in the current folder if left out")->type_name("FILE");
-      app.add_option("--model", model, "Plane Strain | Plane Stress | Axisymmetric; Solid in space. Plane Strain or Solid if left out")
+      app.add_option("--output", output, "Scene file to write; default: <geometry>.xml in the current folder")->type_name("FILE");
+      app.add_option("--model", model, "2D: Plane Strain (default) | Plane Stress | Axisymmetric; 3D: Solid")
           ->check(CLI::IsMember(models))
           ->type_name("NAME");
-      app.add_option("--constant", constants, "NAME=VALUE of a DefineConstant of the .geo file; may be repeated")
+      app.add_option("--constant", constants, "Set a constant of DefineConstant in the .geo file; may be repeated")
           ->type_name("NAME=VALUE")
           ->check([](const std::string& text) {
             return text.find('=') == std::string::npos ? "found '" + text + "', expected NAME=VALUE" : std::string();
           });
-      app.add_option("--units", units, "Names of the units: length, force, stress; they are printed, and numbers are never converted")
+      app.add_option("--units", units, "Names of the units of length, force and stress, for printing; numbers are never converted")
           ->type_name("NAMES")
           ->capture_default_str();
-      app.add_flag("--force", force, "Overwrite the scene file if there is one");
+      app.add_flag("--force", force, "Overwrite an existing scene file");
     };
-    return parseCommandLine(argc, argv, "suture_new", "Begins a scene: one that runs, with what a geometry holds.", describe);
+    return parseCommandLine(argc, argv, "suture_new", "Creates a scene that runs from a geometry or mesh.", describe);
   }
 };
 
-/// The path of a file as a scene in another folder names it.
+/// The path of a file relative to the folder of the scene.
 std::string relativeTo(const fs::path& scene, const fs::path& file) {
   const fs::path folder = fs::absolute(scene).parent_path();
   const fs::path near = fs::absolute(file).lexically_relative(folder);
   return (near.empty() ? fs::absolute(file) : near).string();
 }
 
-/// The model of the scene. \throws InputError  a model of the plane for a mesh in space, or the other way round
+/// The model of the scene. \throws InputError  a 2D model for a 3D mesh, or vice versa
 std::string modelOf(const Mesh& mesh, const Options& options) {
   const bool inSpace = mesh.dimension == 3;
   if (options.model.empty()) return inSpace ? "Solid" : models.front();
   if (inSpace != (options.model == "Solid"))
-    throw InputError("--model", "'" + options.model + "' for " + mesh.source +
-                                    (inSpace ? ", a mesh in space; expected Solid"
-                                             : ", a plane mesh; expected Plane Strain, Plane Stress or Axisymmetric"));
+    throw InputError("--model",
+                     "'" + options.model + "' for " + mesh.source +
+                         (inSpace ? ", a 3D mesh; expected Solid" : ", a 2D mesh; expected Plane Strain, Plane Stress or Axisymmetric"));
   return options.model;
 }
 
@@ -113,19 +113,19 @@ void tell(std::ostream& out, const NewScene& scene, const fs::path& output) {
   if (!supports.held.empty()) parts.push_back("'" + supports.held + "' held");
   if (!supports.pushed.empty()) parts.push_back("'" + supports.pushed + "' pushed" + (supports.byForce ? " by a force" : ""));
   if (!supports.softBodies.empty()) parts.push_back("soft springs on " + joinNames(supports.softBodies, 5));
-  for (std::size_t i = 0; i < parts.size(); ++i) out << (i == 0 ? "   stand-ins: " : "; ") << parts[i];
+  for (std::size_t i = 0; i < parts.size(); ++i) out << (i == 0 ? "   placeholders: " : "; ") << parts[i];
   if (!parts.empty()) out << "\n";
   for (const std::string& body : supports.loose)
     out << "   note: body '" << body << "' has no " << sides
-        << ", so that nothing can hold it and the scene does not run yet: name a side of it\n";
-  out << "   now fill in what the file marks, then: suture_solve " << output.string() << std::endl;
+        << ": it cannot be held, and the scene does not run yet. Name one of its sides\n";
+  out << "   next: replace the placeholders marked FILL IN, then run: suture_solve " << output.string() << std::endl;
 }
 
 ExitCode run(const CommPtr& comm, const Options& options) {
   const fs::path output = options.output.empty() ? fs::path(fs::path(options.geometry).stem().string() + ".xml") : fs::path(options.output);
   onRoot(*comm, "looking for the scene file", [&] {
     if (!options.force && fs::exists(output))
-      throw InputError("--output", "'" + output.string() + "' exists; another name, or --force to overwrite it");
+      throw InputError("--output", "'" + output.string() + "' exists; choose another name, or overwrite it with --force");
     return 0;
   });
   std::vector<std::string> settings{"Mesh/File=" + fs::absolute(options.geometry).string()};

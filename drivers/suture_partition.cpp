@@ -1,5 +1,5 @@
-// Makes the mesh of a scene once, so that many runs need not: meshes the geometry, cuts it as the scene's Partition says, and writes one
-// HDF5 file, the subdomains as element groups. A scene with Mesh/File = that file reads it in a fraction of the time.
+// Prepares the mesh of a scene for many runs: meshes the geometry, cuts it as specified by the scene's Partition, and writes an HDF5 file
+// with the subdomains as element groups. A scene with Mesh/File = that file reads it in a fraction of the time.
 #include <CLI/CLI.hpp>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -26,7 +26,7 @@ using namespace suture;
 
 namespace {
 
-// The end of its name tells a scene what kind of mesh the file is.
+// The reader recognises the format by the file name extension.
 std::string endsWithH5(const std::string& path) {
   return std::filesystem::path(path).extension() == ".h5" ? "" : "found '" + path + "', expected a file name that ends in .h5";
 }
@@ -46,7 +46,7 @@ struct Options {
       app.add_flag("--quiet", quiet, "Print errors only");
       addPluginOption(app, plugins);
     };
-    return parseCommandLine(argc, argv, "suture_partition", "Meshes and cuts a scene once: its mesh as HDF5, with subdomains.", describe);
+    return parseCommandLine(argc, argv, "suture_partition", "Meshes and partitions a scene once, into an HDF5 mesh file.", describe);
   }
 };
 
@@ -96,8 +96,8 @@ ExitCode run(const CommPtr& comm, const Options& options) {
     *console << options.output << ": " << elements << " elements";
     if (!options.noCut)
       *console << ", subdomains " << options.groups
-               << "_*: in this scene with Mesh/File = this file, Partition/Type = Partitioned Mesh; in another one Named Groups "
-                  "with this Pattern";
+               << "_*: use it with Mesh/File = this file and Partition/Type = Partitioned Mesh in this scene, or with Named Groups and "
+                  "this Pattern in another one";
     *console << std::endl;
   }
   return ExitCode::Done;

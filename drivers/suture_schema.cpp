@@ -1,4 +1,4 @@
-// Prints every parameter that a scene (or a study) may have, with defaults, ranges and meaning: from the same description as the reader.
+// Prints every parameter of a scene (or a study) with default, range and meaning, from the schema that the reader uses.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <suture/report/SceneSchema.hpp>
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Two blocks, one pressed upon the other: the scene that --format xml shows.
+/// The scene printed by --format xml: two blocks, one pressed onto the other.
 const suture::Schema::Example scene = {{"Title", "Two blocks"},
                                        {"Mesh/Generator", "Boxes"},
                                        {"Mesh/Boxes/lower/X", "{0, 2}"},
@@ -44,7 +44,7 @@ int main(int argc, char* argv[]) {
   const auto describe = [&](CLI::App& app) {
     app.add_option("--format", format, "text | xml (a scene that runs, with all defaults) | markdown")
         ->check(CLI::IsMember({"text", "xml", "markdown"}));
-    app.add_flag("--study", study, "The parameters of a study, not of a scene");
+    app.add_flag("--study", study, "Parameters of a study instead of a scene");
     suture::addPluginOption(app, plugins);
   };
   if (const auto end = suture::parseCommandLine(argc, argv, name, "The documented parameters of a Suture scene.", describe)) return *end;

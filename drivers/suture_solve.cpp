@@ -1,5 +1,5 @@
-// Solves a scene: elastic bodies in unilateral contact, by domain decomposition. One statement a stage, in the order of the packages.
-// The program's main is in support/SolveMain.cpp: suture_study runs this function, too.
+// Solves a scene: elastic bodies in unilateral contact, by domain decomposition. One statement per stage, in the order of the packages.
+// The main function is in support/SolveMain.cpp, since suture_study also runs this function.
 #include <Teuchos_Comm.hpp>
 #include <suture/base/Timers.hpp>
 #include <suture/report/OutputSchema.hpp>

@@ -1,6 +1,6 @@
-// Runs a scene with many values of some of its parameters and writes one table: speed against error, iterations against size, and whether
-// the figures lie in the bands that the study asserts. The program's main is in study/StudyMain.cpp: the Python package runs this function,
-// too.
+// Runs a scene with different values of its parameters and writes one table, e.g. time against error or iterations against size; checks
+// that the figures are within the bands of the study. The main function is in study/StudyMain.cpp, since the Python package also runs this
+// function.
 #include <Teuchos_Comm.hpp>
 #include <suture/report/OutputFolder.hpp>
 

@@ -1,11 +1,11 @@
-# Completion of Suture's programs for bash. Options are those that the program's --help lists.
+# Bash completion for Suture's programs. The options are read from the program's --help.
 _suture() {
   local word=${COMP_WORDS[COMP_CWORD]} before="" program=${COMP_WORDS[0]}
   ((COMP_CWORD > 0)) && before=${COMP_WORDS[COMP_CWORD - 1]}
   COMPREPLY=()
   local help
   help=$("$program" --help 2>/dev/null) || return 0
-  # "--format TEXT:{text,xml,markdown}": the values of an option that takes few of them
+  # "--format TEXT:{text,xml,markdown}": the values of an option with a fixed list
   local values
   values=$(sed -n "s/^ .*${before:-none} [A-Z]*:{\([^}]*\)}.*/\1/p" <<<"$help")
   if [[ $before == -* && -n $values ]]; then

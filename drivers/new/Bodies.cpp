@@ -73,8 +73,8 @@ Bodies proposeBodies(const Mesh& mesh) {
                            (inside.empty() ? " in no " + mesh.elementGroupKind() +
                                                  (mesh.dimension == 2 ? ": name the surface in the geometry (in Gmsh: Physical Surface)"
                                                                       : ": name the volume in the geometry (in Gmsh: Physical Volume)")
-                                           : " share nodes and belong to " + joinNames(inside) + ": one body, which needs a " +
-                                                 mesh.elementGroupKind() + " that holds all of it; the others may be its Regions"));
+                                           : " share nodes and belong to " + joinNames(inside) + ": they form one body, which needs one " +
+                                                 mesh.elementGroupKind() + " for all of it; the other groups can be its Regions"));
   }
   return result;
 }

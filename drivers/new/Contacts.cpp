@@ -18,19 +18,19 @@ namespace suture::proposal {
 
 namespace {
 
-constexpr double kOpposite = -0.5;  // cosine between normals that face each other
+constexpr double kOpposite = -0.5;  // largest cosine between normals that face each other
 constexpr double kReach = 0.05;     // largest clearance over the diagonal of the smaller body
-constexpr int kFewest = 3;          // least number of facing nodes of a contact
-constexpr double kCorner = 0.2;     // least part of a group's facing nodes; a smaller one is the end of a neighbouring contact
-constexpr double kSpacings = 1.5;   // largest distance between facing nodes over that between neighbours
-constexpr double kEnd = 0.1;        // distance beyond the end of a side over that between neighbours
-constexpr double kDrawn = 1e-3;     // overlap over the distance between neighbours below which it is rounding of a drawing
+constexpr int kFewest = 3;          // smallest number of facing nodes in a contact
+constexpr double kCorner = 0.2;     // smallest fraction of facing nodes in a group; below, it is the end of a neighbouring contact
+constexpr double kSpacings = 1.5;   // largest distance between facing nodes over the node spacing
+constexpr double kEnd = 0.1;        // distance beyond the end of a side over the node spacing
+constexpr double kDrawn = 1e-3;     // overlap over the node spacing below which it is an inaccuracy of the drawing
 constexpr double kSense = 0.1;      // length of the mean normal below which a side faces all around
 
 using Key = std::pair<int, int>;
 Key keyOf(const Side& side) { return {side.element, side.side}; }
 
-/// A group as nodes with normals, and a tree to find them by.
+/// A group as nodes with normals, and a search tree for them.
 struct Face {
   Surface surface;
   std::vector<int> nodes;
@@ -51,18 +51,18 @@ struct Facing {
   int nodes = 0;
   double gap = std::numeric_limits<double>::infinity();  // < 0: the sides overlap
   Point sum{0, 0, 0};                                    // sum of the normals at these nodes
-  Point normal{0, 0, 0}, place{0, 0, 0};                 // where the gap is least
+  Point normal{0, 0, 0}, place{0, 0, 0};                 // at the smallest gap
 };
 
-/// Distance of two facing nodes along the normals of both, < 0 where the sides overlap; 0 for an overlap within the error of a drawing.
-/// The mean of the distances to both tangents is exact for concentric arcs; elsewhere the angle between these bounds its error.
+/// Distance of two facing nodes along both normals, < 0 for an overlap, 0 for an overlap within the accuracy of a drawing.
+/// The mean of the distances to both tangents is exact for concentric arcs; otherwise the angle between the tangents bounds its error.
 double distanceOf(const Point& way, const Point& own, const Point& other, double spacing) {
   const double distance = (dot(way, own) - dot(way, other)) / 2;
   const double aside = norm(minus(way, scaled(dot(way, own), own)));
   return distance < -(aside * norm(plus(own, other)) + kDrawn * spacing) ? distance : std::max(distance, 0.0);
 }
 
-/// Whether a place lies beyond the end of a surface, seen from the node there that is nearest: no neighbour of that is on the same side.
+/// True if a point lies beyond the end of a surface: the nearest node there has no neighbour on that side.
 bool isBeyond(const Surface& surface, const Surface::Node& nearest, const Point& aside) {
   return std::isfinite(nearest.spacing) && norm(aside) > kEnd * nearest.spacing &&
          std::all_of(nearest.beside.begin(), nearest.beside.end(),
@@ -121,7 +121,7 @@ bool within(const Group& small, const Group& large) {
 }
 bool strictlyWithin(const Group& small, const Group& large) { return small.all.size() < large.all.size() && within(small, large); }
 
-/// True of a group whose sides have a shorter name as well, which counts, as of bodies.
+/// True if another group with a shorter name has the same sides; the shorter name counts, as for bodies.
 bool isAnotherName(const Group& group, const std::vector<Group>& groups) {
   const auto rank = [](const Group& one) { return std::make_pair(one.name.size(), one.name); };
   return std::any_of(groups.begin(), groups.end(), [&](const Group& other) {
@@ -129,7 +129,7 @@ bool isAnotherName(const Group& group, const std::vector<Group>& groups) {
   });
 }
 
-/// Asks the checks of suture_solve.
+/// Runs the checks of suture_solve.
 void check(const Mesh& mesh, std::vector<Contact>& proposed) {
   std::vector<suture::Contact> contacts;
   for (const Contact& contact : proposed) {
@@ -146,10 +146,10 @@ void check(const Mesh& mesh, std::vector<Contact>& proposed) {
       if ((problem.path + "/").rfind(nameOf(contact) + "/", 0) == 0) contact.problems.push_back(problem.message);
 }
 
-/// A contact that grows, one side after the other.
+/// A contact under construction, extended side by side.
 struct Growing {
   Contact contact;
-  int body;      // body that Side A belongs to
+  int body;      // body of Side A
   Facing whole;  // nodes of Side A that face Side B
 
   bool faces(const std::string& group) const { return std::find(contact.sideB.begin(), contact.sideB.end(), group) != contact.sideB.end(); }
@@ -203,7 +203,7 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   for (const Group& group : groups)
     faces.push_back(group.body >= 0 && !isAnotherName(group, groups) ? std::make_unique<Face>(mesh, group.all) : nullptr);
 
-  std::map<std::pair<int, int>, Facing> found;  // both ways
+  std::map<std::pair<int, int>, Facing> found;  // in both directions
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       if (!faces[i] || !faces[j] || groups[i].body == groups[j].body) continue;
@@ -217,7 +217,7 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   for (const auto& [pair, facing] : found) most[pair.first] = std::max(most[pair.first], facing.nodes);
   for (auto pair = found.begin(); pair != found.end();)
     pair = pair->second.nodes < kCorner * most[pair->first.first] ? found.erase(pair) : std::next(pair);
-  // A group that lies within another one says more than that.
+  // A group inside another one is more specific.
   for (auto pair = found.begin(); pair != found.end();) {
     const auto [i, j] = pair->first;
     const bool coarse = std::any_of(found.begin(), found.end(), [&, i = i, j = j](const auto& other) {
@@ -237,7 +237,7 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
     int widest = open.begin()->first;
     for (const auto& [i, count] : partners)
       if (count > partners[widest]) widest = i;
-    // A side is in one contact only: another group of the same body that faces the same sides joins it.
+    // A side belongs to one contact only: another group of the same body that faces the same sides joins its contact.
     auto one = std::find_if(growing.begin(), growing.end(), [&, widest = widest](const Growing& other) {
       return other.body == groups[widest].body && std::any_of(open.begin(), open.end(), [&](const std::pair<int, int>& pair) {
                return pair.first == widest && other.faces(groups[pair.second].name);
@@ -264,7 +264,7 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
 
   check(mesh, result.all);
 
-  // Once a pair of bodies; sides beyond the ends of a proposed contact face each other, too, and are none of it.
+  // Once per pair of bodies. Sides beyond the ends of a proposed contact also face each other, but are no part of it.
   std::set<std::pair<int, int>> told;
   for (const auto& [pair, facing] : found) told.insert(std::minmax(groups[pair.first].body, groups[pair.second].body));
   struct Unusable {
@@ -274,15 +274,15 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   };
   std::vector<Unusable> unusable;
   for (const auto& [body, sides] : unnamedSides(mesh, groups))
-    unusable.push_back({body, Face(mesh, sides), "in no " + mesh.sideGroupKind() + ": name these, if they may touch"});
+    unusable.push_back({body, Face(mesh, sides), "in no " + mesh.sideGroupKind() + ": name them if they may touch"});
   for (const Group& group : groups) {
     std::map<int, std::vector<Side>> parts;
     for (const Side& side : group.all) parts[mesh.bodyOfElement[side.element]].push_back(side);
     if (parts.size() < 2) continue;
     for (const auto& [body, sides] : parts)
-      unusable.push_back(
-          {body, Face(mesh, sides),
-           "in the " + mesh.sideGroupKind() + " '" + group.name + "', which is on several bodies: name each side of a contact"});
+      unusable.push_back({body, Face(mesh, sides),
+                          "in the " + mesh.sideGroupKind() + " '" + group.name +
+                              "', which is on several bodies: each side of a contact needs its own group"});
   }
   const auto tell = [&](const Unusable& one, int other, const Face& face) {
     if (one.body == other) return;

@@ -3,11 +3,11 @@
 
 namespace suture::proposal {
 
-/// Units of a new scene, and the numbers of its example material and loads in them. A unit without a known size is taken as that of SI:
-/// these numbers are marked FILL IN.
+/// Units of a new scene, and its example material and loads in these units. Units of unknown size are treated as SI;
+/// the numbers are placeholders marked FILL IN.
 class ExampleUnits {
  public:
-  /// \param names  as the scene has them: "mm, N, MPa" (length, force, stress)
+  /// \param names  as in the scene: "mm, N, MPa" (length, force, stress)
   explicit ExampleUnits(const std::string& names);
 
   const std::string& names() const { return names_; }

@@ -13,7 +13,7 @@ namespace suture::proposal {
 
 namespace {
 
-constexpr std::size_t kWidth = 120;  // characters of a line of comment
+constexpr std::size_t kWidth = 120;  // characters per comment line
 
 /// XML forbids two hyphens in a comment.
 std::string inComment(std::string text) {
@@ -28,7 +28,7 @@ std::string number(double value) {
   return text.str();
 }
 
-/// Components without the digits that rounding has made. \param scale  of the numbers that they were computed from
+/// Components without round-off digits. \param scale  of the numbers from which they were computed
 std::string components(const Point& p, int dimension, double scale) {
   constexpr double kRounding = 1e-12;
   std::string text;
@@ -39,10 +39,10 @@ std::string components(const Point& p, int dimension, double scale) {
 /// The value of an Array(double).
 std::string vector(const Point& p, int dimension) { return "{" + components(p, dimension, norm(p)) + "}"; }
 
-/// Names of lists that stand beside each other, also of those in comments: each may be uncommented.
+/// Names of neighbouring lists, including lists in comments, since each may be uncommented.
 class Names {
  public:
-  /// The name, with a number behind it where it was given before; without the marks that separate names in a path.
+  /// Makes a name unique by appending a number, and replaces the characters that separate names in a path.
   std::string unique(std::string name) {
     for (const char* mark : {"->", "/", "="})
       for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark, at)) name.replace(at, std::strlen(mark), "_");
@@ -63,7 +63,7 @@ std::string array(const std::vector<std::string>& names) {
 
 class Writer {
  public:
-  /// Broken into lines between words.
+  /// Writes a comment, wrapped between words.
   void comment(const std::string& words) { line(wrapped("<!-- " + inComment(words) + " -->")); }
   void open(const std::string& name) {
     line("<ParameterList name=\"" + escaped(name) + "\">");
@@ -77,7 +77,7 @@ class Writer {
     line("<Parameter name=\"" + escaped(name) + "\" type=\"" + type + "\" value=\"" + escaped(value) + "\"/>" +
          (words.empty() ? "" : "  <!-- " + inComment(words) + " -->"));
   }
-  /// Lines that wait for the user: a comment which holds parameters.
+  /// Writes a comment that contains parameters, which the user may uncomment.
   void example(const std::string& words, const std::vector<std::string>& lines) {
     line(wrapped("<!-- " + inComment(words)));
     for (const std::string& text : lines) line("  " + text);
@@ -108,7 +108,7 @@ std::string entry(const std::string& name, const std::string& type, const std::s
   return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
 }
 
-/// Gmsh's words for the groups of sides: physical curves in the plane, physical surfaces in space.
+/// Gmsh's terms for groups of sides: physical curves in 2D, physical surfaces in 3D.
 std::string sideWord(const NewScene& scene) { return scene.dimension == 2 ? "curve" : "surface"; }
 std::string physicalSide(const NewScene& scene) { return scene.dimension == 2 ? "Physical Curve" : "Physical Surface"; }
 
@@ -117,7 +117,7 @@ void listGroups(Writer& out, const NewScene& scene) {
   for (const auto& [low, high] : scene.boxes) scale = std::max({scale, norm(low), norm(high)});
   const auto place = [&](const Point& p) { return "(" + components(p, scene.dimension, scale) + ")"; };
   out.line(std::string("<!-- ") + (scene.dimension == 2 ? "Surface" : "Volume") + " groups (bodies and their parts), " + sideWord(scene) +
-           " groups (places for conditions and contact):");
+           " groups (for conditions and contact):");
   for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
     out.line(
         inComment("  body    " + scene.bodies.names[b] + "  from " + place(scene.boxes[b].first) + " to " + place(scene.boxes[b].second)));
@@ -147,21 +147,21 @@ void materials(Writer& out, const NewScene& scene) {
       regions.insert(regions.begin(), "<ParameterList name=\"Regions\">");
       regions.push_back("</ParameterList>");
       for (std::string& text : regions) text = inComment(text);
-      out.example("parts with materials of their own:", regions);
+      out.example("parts with other materials:", regions);
     }
     out.close();
   }
   out.close();
   out.open("Materials");
   out.open("steel");
-  out.parameter("Young Modulus", "double", number(scene.units.youngModulus()), "FILL IN: in units of stress");
+  out.parameter("Young Modulus", "double", number(scene.units.youngModulus()), "FILL IN: in the unit of stress");
   out.parameter("Poisson Ratio", "double", "0.3", "FILL IN");
   out.close();
   out.close();
 }
 
-/// Groups on one straight edge, or plane face, of the whole geometry, on several bodies: perhaps a plane of symmetry. An example for each
-/// edge.
+/// Writes an example for each straight edge, or plane face, of the whole geometry whose groups belong to several bodies: it may be a plane
+/// of symmetry.
 void symmetries(Writer& out, const NewScene& scene, Names& given) {
   Point low = scene.boxes[0].first, high = scene.boxes[0].second;
   for (const auto& [least, most] : scene.boxes)
@@ -193,15 +193,15 @@ void conditions(Writer& out, const NewScene& scene) {
   Names given;
   const Supports& supports = scene.supports;
   if (supports.held.empty() && supports.soft.empty())
-    out.example("FILL IN: the geometry has no " + sideWord(scene) + " group; name one (in Gmsh: " + physicalSide(scene) +
-                    "), by which a body is held:",
-                {"<ParameterList name=\"" + given.unique("hold") + "\">", "  " + entry("Group", "string", "..."),
-                 "  " + entry("Type", "string", "Displacement"), "  " + entry("Value", "Array(double)", vector({0, 0, 0}, scene.dimension)),
-                 "</ParameterList>"});
+    out.example(
+        "FILL IN: the geometry has no " + sideWord(scene) + " group; name one to hold a body (in Gmsh: " + physicalSide(scene) + "):",
+        {"<ParameterList name=\"" + given.unique("hold") + "\">", "  " + entry("Group", "string", "..."),
+         "  " + entry("Type", "string", "Displacement"), "  " + entry("Value", "Array(double)", vector({0, 0, 0}, scene.dimension)),
+         "</ParameterList>"});
   else if (supports.held.empty())
-    out.comment("FILL IN: no group is free to be held, since all are in contact or reach both sides of one; springs hold all bodies.");
+    out.comment("FILL IN: no group can be held, since all are in contact or reach both sides of a contact; springs hold all bodies.");
   else {
-    out.comment("FILL IN: a stand-in for the supports. It holds the lowest body at its lowest side.");
+    out.comment("FILL IN: placeholder for the supports: holds the lowest body at its lowest side.");
     out.open(given.unique("hold " + supports.heldBody));
     out.parameter("Group", "string", supports.held);
     out.parameter("Type", "string", "Displacement");
@@ -209,10 +209,10 @@ void conditions(Writer& out, const NewScene& scene) {
     out.close();
   }
   if (!supports.pushed.empty()) {
-    out.comment(std::string("FILL IN: a stand-in for the loads. It ") +
-                (supports.pushedBody == supports.heldBody ? "presses the body together by a ten-thousandth of its size."
-                 : supports.byForce                       ? "pushes the body into contact, by a force, since all its sides may touch."
-                                                          : "pushes the body into contact, by the gap and a ten-thousandth of its size."));
+    out.comment(std::string("FILL IN: placeholder for the loads: ") +
+                (supports.pushedBody == supports.heldBody ? "compresses the body by a ten-thousandth of its size."
+                 : supports.byForce                       ? "pushes the body into contact by a force, since all its sides may touch."
+                                                          : "pushes the body into contact, by the gap plus a ten-thousandth of its size."));
     out.open(given.unique("push " + supports.pushedBody));
     out.parameter("Group", "string", supports.pushed);
     out.parameter("Type", "string", supports.byForce ? "Force" : "Displacement");
@@ -221,10 +221,10 @@ void conditions(Writer& out, const NewScene& scene) {
   }
   if (!supports.soft.empty()) {
     out.comment(
-        "FILL IN: a stand-in for what holds " + joinNames(supports.softBodies) +
-        " besides contact, which holds no body in every direction: springs at all their sides, a thousandth as stiff as the bodies. "
-        "Take out the groups of a body that has conditions of its own. Keep springs where only contact holds a body: they decide "
-        "where it slides to.");
+        "FILL IN: placeholder for the supports of " + joinNames(supports.softBodies) +
+        ", since contact alone holds no body in every direction: springs on all their sides, a thousandth as stiff as the bodies. "
+        "Remove the groups of a body once it has its own conditions. Keep the springs of a body that only contact holds: they determine "
+        "where it slides.");
     out.open(given.unique("soft springs"));
     if (supports.soft.size() == 1)
       out.parameter("Group", "string", supports.soft[0]);
@@ -239,7 +239,7 @@ void conditions(Writer& out, const NewScene& scene) {
   for (const std::string& body : supports.loose)
     out.example(
         "FILL IN: body '" + body + "' has no " + sideWord(scene) +
-            " group, so that nothing can hold it. Name a side of it in the geometry, then:",
+            " group and cannot be held. Name one of its sides in the geometry, then:",
         {"<ParameterList name=\"" + inComment(escaped(given.unique("keep " + body))) + "\">", "  " + entry("Group", "string", "..."),
          "  " + entry("Type", "string", "Elastic Support"), "  " + entry("Normal Stiffness", "double", number(supports.stiffness)),
          "  " + entry("Tangential Stiffness", "double", number(supports.stiffness)), "</ParameterList>"});
@@ -252,19 +252,19 @@ void conditions(Writer& out, const NewScene& scene) {
   };
   const auto down = [&](double value) { return vector({0, scene.dimension == 2 ? value : 0, value}, scene.dimension); };
   const std::string group = entry("Group", "string", "..."), value = "Value", reals = "Array(double)";
-  kind("roller", "another kind, a roller: normal displacement zero, free to slide", {group, entry("Type", "string", "Bilateral")});
-  kind("pressure", "another kind, a pressure: positive pushes into the body",
+  kind("roller", "alternative: a roller (zero normal displacement, free to slide)", {group, entry("Type", "string", "Bilateral")});
+  kind("pressure", "alternative: a pressure (positive values push into the body)",
        {group, entry("Type", "string", "Pressure"), entry(value, reals, "{" + number(scene.units.pressure()) + "}")});
-  kind("traction", "another kind, a traction: force on an area",
+  kind("traction", "alternative: a traction (force per area)",
        {group, entry("Type", "string", "Traction"), entry(value, reals, down(scene.units.pressure()))});
-  kind("weight", "another kind, a weight: force on a volume; on one body with a Body",
+  kind("weight", "alternative: a weight (force per volume; Body restricts it to one body)",
        {entry("Type", "string", "Body Force"), entry(value, reals, down(-scene.units.weight()))});
   out.close();
 }
 
 void contacts(Writer& out, const NewScene& scene) {
   if (scene.contacts.all.empty()) {
-    out.example("no " + sideWord(scene) + " groups of different bodies face each other; a contact is",
+    out.example("no " + sideWord(scene) + " groups of different bodies face each other; a contact would be:",
                 {"<ParameterList name=\"Contact\">", "  <ParameterList name=\"joint\">", "    " + entry("Side A", "string", "..."),
                  "    " + entry("Side B", "string", "..."), "  </ParameterList>", "</ParameterList>"});
     return;
@@ -274,7 +274,7 @@ void contacts(Writer& out, const NewScene& scene) {
   for (const Contact& contact : scene.contacts.all) {
     const std::string name = given.unique(nameOf(contact));
     if (!contact.problems.empty()) {
-      out.example("FILL IN: " + name + ", " + distanceText(contact) + ", is left out: " + joinNames(contact.problems),
+      out.example("FILL IN: " + name + " (" + distanceText(contact) + ") is left out: " + joinNames(contact.problems),
                   {"<ParameterList name=\"" + inComment(escaped(name)) + "\">", "  " + entry("Side A", "string", "..."),
                    "  " + entry("Side B", "string", "..."), "</ParameterList>"});
       continue;
@@ -291,24 +291,24 @@ void contacts(Writer& out, const NewScene& scene) {
 }  // namespace
 
 std::string distanceText(const Contact& contact) {
-  return contact.gap < 0 ? "drawn to overlap by " + number(-contact.gap) + ", an interference that contact presses apart"
-                         : "least distance " + number(contact.gap);
+  return contact.gap < 0 ? "overlap of " + number(-contact.gap) + ", an interference fit" : "minimum distance " + number(contact.gap);
 }
 
 std::string sceneText(const NewScene& scene) {
   Writer out;
   out.open("Suture");
   out.comment(
-      std::string("Made by suture_new. ") +
+      std::string("Created by suture_new. ") +
       (scene.supports.loose.empty()
-           ? "It runs as it is; FILL IN marks examples and stand-ins."
-           : "It runs once the bodies below that nothing holds have conditions; FILL IN marks these places, examples and stand-ins.") +
+           ? "The scene runs as it is. Replace the placeholders marked FILL IN."
+           : "The scene runs once you add conditions for the bodies below that cannot be held. Replace the placeholders marked FILL IN.") +
       " 'suture_schema' documents every parameter.");
   listGroups(out, scene);
   out.space();
   out.parameter("Title", "string", scene.title);
   out.parameter("Model", "string", scene.model, scene.dimension == 2 ? "Plane Strain | Plane Stress | Axisymmetric" : "");
-  out.parameter("Units", "string", scene.units.names(), "FILL IN: printed, never converted; all numbers of the scene are in these");
+  out.parameter("Units", "string", scene.units.names(),
+                "FILL IN: names for printing, never converted; all numbers of the scene are in these");
   out.space();
   out.open("Mesh");
   out.parameter("File", "string", scene.file);
@@ -329,7 +329,8 @@ std::string sceneText(const NewScene& scene) {
   contacts(out, scene);
   out.space();
   out.open("Output");
-  out.parameter("Nodal Stresses", "bool", "true", "largest values at boundaries; off saves a tenth of the time of a large scene");
+  out.parameter("Nodal Stresses", "bool", "true",
+                "stresses at boundaries, where they are largest; false saves a tenth of the time of a large scene");
   out.close();
   out.close();
   return out.text();

@@ -20,10 +20,10 @@ struct NewScene {
   int dimension = 2;
 };
 
-/// How far apart the sides of a contact are, in words.
+/// Text for the distance between the sides of a contact.
 std::string distanceText(const Contact& contact);
 
-/// The text of its scene file: it runs as it stands, unless Supports::loose names bodies; "FILL IN" marks what is an example. Local.
+/// Text of the scene file. It runs as it is, unless Supports::loose names bodies; placeholders are marked FILL IN. Local.
 std::string sceneText(const NewScene& scene);
 
 }  // namespace suture::proposal

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSoft = 1e-3;  // stiffness of an elastic support x extent of the geometry / Young modulus
 constexpr double kPush = 1e-4;  // displacement beyond a gap / extent of the pushed body
 
-/// The rule of Supports, step by step.
+/// Applies the rules of Supports step by step.
 class Rule {
  public:
   Rule(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts, double youngModulus)
@@ -55,7 +55,7 @@ class Rule {
   }
   double extent() const { return norm(minus(high_, low_)); }
   double extentOf(int body) const { return norm(minus(boxes_[body].second, boxes_[body].first)); }
-  /// A number without the last digits, so that equal heights are equal however they were computed.
+  /// Drops the last digits, so that equal heights compare equal despite round-off.
   double rounded(double value) const { return std::round(value / (1e-9 * extent())); }
   double lowest(int body) const { return rounded(boxes_[body].first[up_]); }
 
@@ -88,7 +88,7 @@ class Rule {
   static bool meet(const Group& a, const Group& b) {
     return std::any_of(a.nodes.begin(), a.nodes.end(), [&](int node) { return b.nodes.count(node) > 0; });
   }
-  /// Numbers of the contacts that have nodes of a group.
+  /// Indices of the contacts that contain nodes of a group.
   std::set<int> reached(const Group& group) const {
     std::set<int> result;
     for (std::size_t c = 0; c < sides_.size(); ++c)
@@ -96,7 +96,7 @@ class Rule {
     return result;
   }
 
-  /// Whether a group has nodes of both sides of a contact, which none can prescribe where these overlap.
+  /// True if a group contains nodes of both sides of a contact; where these overlap, their displacement cannot be prescribed.
   bool closes(const Group& group) const {
     return std::any_of(sides_.begin(), sides_.end(), [&](const auto& sides) {
       std::set<int> bodies;
@@ -106,8 +106,8 @@ class Rule {
     });
   }
 
-  /// Groups of one body before those of several; of these a body in contact, the lowest one, a side that no contact reaches, the lowest
-  /// side. None where all groups are in contact.
+  /// Chooses the group to hold. Prefers groups of one body over groups of several, then a body in contact, the lowest body, a side outside
+  /// all contacts, the lowest side. Null if all groups are in contact.
   const Group* chooseHeld() const {
     using Rank = std::tuple<bool, bool, double, bool, double, std::string, std::string>;
     std::optional<Rank> least;
@@ -129,7 +129,7 @@ class Rule {
     return best;
   }
 
-  /// Number of contacts between each body and these; bodies that no contacts connect with it are left out.
+  /// Number of contacts between each body and `bodies`; unconnected bodies are left out.
   std::map<int, int> distancesFrom(const std::set<int>& bodies) const {
     std::map<int, int> steps;
     std::queue<int> next;
@@ -146,7 +146,7 @@ class Rule {
     return steps;
   }
 
-  /// Way and distance from a body to the nearest body that is closer to the held one.
+  /// Direction and distance from a body to the nearest body that is closer to the held one.
   std::pair<Point, double> wayFrom(int body, const std::map<int, int>& steps) const {
     std::pair<Point, double> result{{0, 0, 0}, 0.0};
     double least = 1e300;
@@ -164,7 +164,7 @@ class Rule {
     return result;
   }
 
-  /// The group of a body farthest back, seen along `way`, among those that `fits`.
+  /// The rearmost group of a body in the direction `way`, among those that satisfy `fits`.
   template <class Fits>
   const Group* farthestBack(int body, const Point& way, const Fits& fits) const {
     const Group* best = nullptr;
@@ -180,7 +180,7 @@ class Rule {
       const std::set<int> own = reached(group);
       return std::none_of(own.begin(), own.end(), [&](int contact) { return fixed.count(contact) > 0; });
     };
-    // Farthest first; of these the highest, then by name.
+    // Farthest first, then the highest, then by name.
     const std::map<int, int> steps = distancesFrom(towards);
     std::vector<std::tuple<int, double, std::string, int>> order;
     for (const auto& [body, count] : steps)
@@ -211,7 +211,7 @@ class Rule {
   }
 
   double stiffness() const { return kSoft * youngModulus_ / extent(); }
-  /// Size of all sides of a body that are in groups of its own.
+  /// Total size of the sides of a body, over groups of this body alone.
   double lengthOf(int body) const {
     double length = 0.0;
     for (const Group& group : groups_)

@@ -8,7 +8,7 @@ namespace {
 
 std::string number(double value) { return format("%.4g", value); }
 
-// Limits of a band: the sentence's words and whether they are kept.
+// Checks the limits of a band and collects the words of its sentence.
 class Judge {
  public:
   Judge(const Band& band, double least, double most) {

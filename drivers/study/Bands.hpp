@@ -6,15 +6,15 @@
 
 namespace suture::study {
 
-/// How a band came out.
+/// Result of a band.
 struct Verdict {
   std::string band;
   bool kept = false;
-  bool judged = true;    ///< false: no row of it was run (--only)
+  bool judged = true;    ///< false: none of its rows was run (--only)
   std::string sentence;  ///< "pcg 24 to 28 over 3 runs: at most 28"
 };
 
-/// Judges every band. A row that counts but has no value (its run failed) misses the band. Local.
+/// Judges every band. A row that counts but has no value (its run failed) violates the band. Local.
 std::vector<Verdict> judgeBands(const Study& study, const std::vector<Row>& rows);
 
 /// The verdicts as a table. Local.

@@ -13,7 +13,7 @@ std::vector<std::string> parts(const std::string& path) {
   return all;
 }
 
-// True if a path leads, as far as it goes, along one that a summary has: "contact.force.fault above" names a vector.
+// True if a path follows a path of summary.json as far as it goes; "contact.force.fault above" names a vector.
 bool leadsAlong(const std::vector<std::string>& path, const std::string& known) {
   if (known == "parameters.<path>") return path.size() > 1 && path.front() == "parameters";
   const std::vector<std::string> pattern = parts(known);

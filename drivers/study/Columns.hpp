@@ -13,15 +13,15 @@ struct Column {
   Formula formula;
 };
 
-/// The columns that have a name of their own ("pcg": all applications of the operator, start included): name, formula. They may stand in
-/// formulas, and are the columns of a study that names none.
+/// The predefined columns ("pcg": all applications of the operator, start included): name, formula. They may be used in formulas, and are
+/// the default columns of a study.
 const std::vector<std::pair<std::string, std::string>>& namedColumns();
 
-/// A formula whose names are all known: of namedColumns(), which are replaced by what they mean, or paths of summary.json (summaryPaths()).
-/// Errors are added to `problems` under `path`; the result is then of no use. Local.
+/// Parses a formula and resolves its names: predefined columns are replaced by their formulas, paths refer to summary.json
+/// (summaryPaths()). Adds errors to `problems` under `path`; the result is then invalid. Local.
 Formula columnFormula(const std::string& text, const std::string& path, Problems& problems);
 
-/// "name", "path" or "name = formula". Local.
+/// Reads "name", "path" or "name = formula". Local.
 Column readColumn(const std::string& text, const std::string& path, Problems& problems);
 
 }  // namespace suture::study

@@ -36,13 +36,13 @@ Combination combine(const Study& study, const std::vector<std::string>& set, con
       if (parameter.values[choice[s]] != kUnchanged)
         add(parameter.path + "=" + parameter.values[choice[s]], "Sweeps/" + study.sweeps[s].name + "/" + parameter.name);
   for (const std::string& assignment : set) add(assignment, "--set");
-  // Last, so that a message about one of the user's paths comes first.
+  // Last, so that messages about the user's paths come first.
   add(std::string("Output/Fields=") + (study.fields ? "true" : "false"), "Fields");
   run.scene = (std::filesystem::path(study.file.folder) / scene).lexically_normal().string();
   return run;
 }
 
-// Columns may name parameters of the scene: those must exist in it.
+// Checks that the scene's parameters used in columns exist.
 void checkParameterColumns(const Study& study, const Parameters& scene, Problems& problems) {
   nlohmann::ordered_json summary;
   summary["parameters"] = toJson(scene);
@@ -76,7 +76,7 @@ std::vector<Combination> combinations(const Study& study, const std::vector<std:
 
 namespace {
 
-// Reads each scene file once, if it can be read.
+// Scene files, each read once, if readable.
 class SceneTexts {
  public:
   SceneTexts(const Comm& comm, const Schema& schema) : comm_(comm), schema_(schema) {}

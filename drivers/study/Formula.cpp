@@ -34,9 +34,9 @@ TableCell norm(const Json* vector) {
   return finite(std::sqrt(squares), false);
 }
 
-// True of a sign between two operands. No name has a * or a /. A + or - may belong to a number (1e-5, -1), and a - to a name (left-side): a
-// minus behind a name is an operator with a blank or a parenthesis on both sides. `word`: what stands before the sign, back to the last
-// mark.
+// True for a sign between two operands. Names contain no * or /. A + or - may belong to a number (1e-5, -1), and a - to a name
+// (left-side): a minus after a name is an operator if it has a blank or a parenthesis on both sides. `word`: the text between the last mark
+// and the sign.
 bool isOperator(const std::string& text, std::size_t at, const std::string& word) {
   const char sign = text[at];
   if (sign == '*' || sign == '/') return true;
@@ -55,7 +55,7 @@ bool isMark(const std::string& text, std::size_t at, const std::string& word) {
   return std::string("(),").find(text[at]) != std::string::npos || isOperator(text, at, word);
 }
 
-// Stands for a figure where Expression calculates.
+// Name of a figure in the text given to Expression.
 std::string standIn(std::size_t piece) { return "figure_" + std::to_string(piece); }
 
 }  // namespace
@@ -84,7 +84,7 @@ Formula::Formula(const std::string& text) {
   functions.emplace_back("norm");
   bool inNorm = false;
   int open = 0;               // parentheses
-  bool isBehindWord = false;  // a word ends at a mark
+  bool isBehindWord = false;  // a word has just ended
   for (std::size_t at = 0; at < text.size();) {
     if (isBehindWord || isMark(text, at, "")) {
       isBehindWord = false;
@@ -117,7 +117,7 @@ Formula::Formula(const std::string& text) {
     if (inNorm && (at >= text.size() || text[at] != '(')) throw wrong("the argument of norm is the path of a vector");
   }
   if (open > 0) throw wrong("expected ')' at the end");
-  // Read once with numbers for the figures: what it complains of is the form.
+  // Parse once with numbers in place of the figures to find syntax errors.
   Constants ones;
   std::string form;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -128,7 +128,7 @@ Formula::Formula(const std::string& text) {
     Expression(form, ones);
   } catch (const InputError&) {
     throw wrong(
-        "is no formula; expected numbers and figures of summary.json with + - * /, as in 2*outer.pcg_total + 1 (a minus behind a name "
+        "is not a formula; expected numbers and figures of summary.json with + - * /, as in 2*outer.pcg_total + 1 (a minus after a name "
         "needs "
         "a blank on both sides)");
   }
@@ -149,7 +149,7 @@ void Formula::substitute(const std::string& path, const Formula& meaning) {
       continue;
     }
     integer_ = integer_ && meaning.integer_;
-    if (pieces_.size() == 1) {  // a text stays one
+    if (pieces_.size() == 1) {  // a text stays a text
       replaced = meaning.pieces_;
       break;
     }

@@ -5,7 +5,7 @@
 
 namespace suture::study {
 
-/// A cell of a study's table: a number, a text, or nothing (a run that ended before it had the figure).
+/// A cell of a study's table: a number, a text, or empty (the run ended before it had the figure).
 struct TableCell {
   enum class Kind { Empty, Integer, Real, Text } kind = Kind::Empty;
   double number = 0.0;  ///< of Integer and Real
@@ -13,33 +13,33 @@ struct TableCell {
   bool isNumber() const { return kind == Kind::Integer || kind == Kind::Real; }
 };
 
-/// A formula over the figures of summary.json: numbers, paths with dots ("outer.pcg_total"), the operators + - * / (a minus behind a name
-/// has a blank on both sides, since names may contain hyphens and blanks), parentheses, norm(path of a vector), and the functions of
-/// base/Expression, which calculates: abs(x), max(x, y, ...), sqrt(x), ...
+/// A formula over the figures of summary.json: numbers, paths with dots ("outer.pcg_total"), the operators + - * / (a minus after a name
+/// needs a blank on both sides, since names may contain hyphens and blanks), parentheses, norm(path of a vector), and the functions of
+/// base/Expression, which evaluates it: abs(x), max(x, y, ...), sqrt(x), ...
 class Formula {
  public:
-  /// \throws InputError  says what was expected where; the path of the problem is empty. Local.
+  /// \throws InputError  describes what was expected and where; the path of the problem is empty. Local.
   explicit Formula(const std::string& text);
 
   /// All paths in it, in the order of the text.
   std::vector<std::string> paths() const;
-  /// Replaces a path by a formula wherever it stands, but for a vector of norm().
+  /// Replaces a path by a formula wherever it occurs, except as the vector of norm().
   void substitute(const std::string& path, const Formula& meaning);
-  /// Empty where a figure is missing or not finite. A single path may also have a text or true/false as its value. An integer if all that
-  /// it is made of are integers, without a quotient. Local.
+  /// Empty if a figure is missing or not finite. A single path may also give a text or true/false. The result is an integer if all operands
+  /// are integers and there is no quotient. Local.
   TableCell evaluate(const nlohmann::ordered_json& summary) const;
 
  private:
-  /// A part of the text: as it stands, or a figure that a value stands for.
+  /// A part of the formula: plain text, or a figure to be replaced by its value.
   struct Piece {
     enum class Kind { Plain, Figure, Norm } kind = Kind::Plain;
     std::string text;
   };
   std::vector<Piece> pieces_;
-  bool integer_ = true;  // nothing but the figures can make it a fraction
+  bool integer_ = true;  // false: fractions may result even from integer figures
 };
 
-/// The entry that a path names, or null (the C++ one). Names with dots in them cannot be reached. Local.
+/// The entry of a path, or nullptr. Names that contain dots cannot be addressed. Local.
 const nlohmann::ordered_json* findEntry(const nlohmann::ordered_json& summary, const std::string& path);
 
 }  // namespace suture::study

@@ -21,7 +21,7 @@ struct Outcome {
   std::string summary;
 };
 
-// One run; what it throws is its outcome: whatever ends one run, the others are run, and those that are done are kept.
+// Runs once; an exception is an outcome, so that a failed run does not end the study.
 Outcome attempt(const CommPtr& comm, const MeetingPoint& meeting, const SolveOptions& options) {
   Outcome outcome;
   try {
@@ -79,7 +79,7 @@ FinishedRun solveRun(const CommPtr& comm, const MeetingPoint& meeting, const Stu
     if (!last.summary.empty()) own.summaries.push_back(last.summary);
   }
   if (last.end.code == ExitCode::Done) return own;
-  // A repetition that failed is what the row tells.
+  // If a repetition failed, the row reports that repetition.
   if (!last.summary.empty()) own.summaries = {last.summary};
   own.exitCode = int(last.end.code);
   own.failure = last.end.message;
@@ -118,24 +118,24 @@ Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Combinati
                  << figures(study, all.rows.back()) << (known[0] != 0 ? "  done before" : format("  %.2f s", Timers::now() - begin))
                  << (own.exitCode != 0 ? "  exit code " + std::to_string(own.exitCode) + ": " + all.rows.back().failure : "") << std::endl;
     }
-    // What is done is on the disk, however the next run ends.
+    // Write now, since the next run may end the process.
     collectivelyOnRoot(*comm, "writing the tables of the study", [&] { writeTables(*comm, study, all.rows, options.folder()); });
     if (known[0] != 0) continue;
-    // Another attempt may fare better where a run was stopped, the machine failed it, or Suture did.
+    // Not stored if another attempt may succeed: after a stop, a failure of the machine, or a bug of Suture.
     const auto end = static_cast<ExitCode>(own.exitCode);
     if (end == ExitCode::Done || end == ExitCode::Numerical || end == ExitCode::Input)
       collectivelyOnRoot(*comm, "keeping what a run of the study gave", [&] {
-        std::filesystem::create_directories(folder);  // a run that was refused has none
+        std::filesystem::create_directories(folder);  // a refused run has none
         keepRun(folder, run, study.repetitions, ranks, own);
       });
-    // A run without outer iterations does not see the request itself.
+    // A run without outer iterations does not check for requests itself.
     const int asked = stopWasAsked();
     int any = 0;
     Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, asked, Teuchos::outArg(any));
     all.stopped = any != 0;
     if (all.stopped) break;
   }
-  if (console && all.stopped) *console << "  stopped; --continue goes on from here" << std::endl;
+  if (console && all.stopped) *console << "  stopped; continue with --continue" << std::endl;
   return all;
 }
 
@@ -147,7 +147,7 @@ void listRuns(const Comm& comm, const Study& study, const std::vector<Combinatio
     *console << format("%4d  ", run.number) << labelsOf(study, run) << "   " << run.scene << "\n";
     for (const std::string& assignment : run.overrides) *console << "        " << assignment << "\n";
   }
-  *console << counted(static_cast<long long>(runs.size()), "run") << "; nothing wrong was found; nothing was run (--check)" << std::endl;
+  *console << counted(static_cast<long long>(runs.size()), "run") << "; no errors found; not run (--check)" << std::endl;
 }
 
 }  // namespace suture::study

@@ -8,27 +8,27 @@
 
 namespace suture::study {
 
-/// The whole of suture_study. Collective. \throws Error  of any kind
+/// Runs suture_study. Collective. \throws Error  of any kind
 ExitCode run(const CommPtr& comm, const Options& options);
 
 /// Results of the runs of a study.
 struct Rows {
   std::vector<Row> rows;  ///< on rank 0
-  bool stopped = false;   ///< on request (SIGUSR1): rows are missing
+  bool stopped = false;   ///< stopped by a request (SIGUSR1): rows are missing
 };
 
-/// Runs every combination, as suture_solve would, into folder/runs/<number>; a line each on the console. A run that does not converge, or
-/// is refused when its mesh is known, for which there is no memory, or that meets a bug, is a row with exit code and reason. The tables are
+/// Runs every combination, as suture_solve would, into folder/runs/<number>; prints one line per run. A run that does not converge, is
+/// refused after reading its mesh, runs out of memory, or fails because of a bug becomes a row with exit code and reason. The tables are
 /// written after each run. \throws EnvironmentError  the folder cannot be written. Collective.
 Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Combination>& runs, const Options& options);
 
-/// table.csv, table.md and study.json of the rows so far. Local (rank 0). \throws EnvironmentError
+/// Writes table.csv, table.md and study.json with the rows so far. Local (rank 0). \throws EnvironmentError
 void writeTables(const Comm& comm, const Study& study, const std::vector<Row>& rows, const std::string& folder);
 
-/// --check: the runs and what they change, on the console.
+/// --check: prints the runs and their overrides.
 void listRuns(const Comm& comm, const Study& study, const std::vector<Combination>& runs);
 
-/// table.csv, table.md, study.json and the plots into the folder, the verdicts on the console; the exit code of the study. Collective.
+/// Writes table.csv, table.md, study.json and the plots into the folder and prints the verdicts. \return the exit code. Collective.
 ExitCode reportStudy(const Comm& comm, const Study& study, const Rows& all, const Options& options);
 
 }  // namespace suture::study

@@ -21,7 +21,7 @@ std::string textOf(const std::string& path) {
   return text.str();
 }
 
-// All that the figures depend on, but for a mesh file that the scene names.
+// Everything that affects the figures, except a mesh file named by the scene.
 Json keyOf(const Combination& run, int repetitions, int ranks) {
   return {{"scene", run.scene},
           {"text", textOf(run.scene)},

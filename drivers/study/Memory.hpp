@@ -7,18 +7,18 @@
 
 namespace suture::study {
 
-/// Result of a combination of a study, as it is kept in the combination's folder, so that an interrupted study can go on (--continue).
+/// Result of a combination, stored in the combination's folder so that an interrupted study can continue (--continue).
 struct FinishedRun {
-  std::vector<std::string> summaries;  ///< texts of summary.json, one a repetition
+  std::vector<std::string> summaries;  ///< texts of summary.json, one per repetition
   int exitCode = 0;
   std::string failure;
 };
 
-/// The run of this combination, if `folder` has it and was made by the same program from the same scene file with the same changes, on as
-/// many ranks and as often repeated. A damaged file is as good as none. Local.
+/// The stored run of a combination, if `folder` contains one by the same program, with the same scene file, overrides, number of ranks and
+/// repetitions. A damaged file is ignored. Local.
 std::optional<FinishedRun> finishedRun(const std::string& folder, const Combination& run, int repetitions, int ranks);
 
-/// Keeps it in `folder`, which exists. \throws EnvironmentError. Local.
+/// Stores a run in `folder`, which exists. \throws EnvironmentError. Local.
 void keepRun(const std::string& folder, const Combination& run, int repetitions, int ranks, const FinishedRun& finished);
 
 }  // namespace suture::study

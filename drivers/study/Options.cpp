@@ -12,20 +12,20 @@ std::optional<int> Options::parse(int argc, char* argv[]) {
   std::vector<std::string> set;
   const auto describe = [&](CLI::App& app) {
     app.add_option("STUDY", study, "Study file (XML); 'suture_schema --study' documents it")->required()->type_name("FILE");
-    app.add_option("--output", output, "Output folder, instead of studies_out/<study> beside the study")->type_name("DIR");
+    app.add_option("--output", output, "Output folder; default: studies_out/<study> next to the study")->type_name("DIR");
     addSetOption(app, set,
-                 "Change a parameter of the scene in every run; with 'Study/' before it, one of the study, e.g. "
+                 "Change a parameter of the scene in every run, or with the prefix 'Study/' one of the study, e.g. "
                  "--set Study/Repetitions=3");
     app.add_option("--only", only, "Run only the combinations with this label ('label' or 'sweep=label'); may be repeated")
         ->type_name("LABEL")
         ->allow_extra_args(false);
-    app.add_flag("--check", check, "Check the study and the parameters of all its runs, list them, run nothing");
-    app.add_flag("--continue", goOn, "Go on where an interrupted study stopped: take over the runs that its output folder has");
-    app.add_flag("--quiet", quiet, "Print errors and missed bands only");
+    app.add_flag("--check", check, "Check the study and the parameters of all runs and list the runs without running them");
+    app.add_flag("--continue", goOn, "Continue an interrupted study; keeps the finished runs in its output folder");
+    app.add_flag("--quiet", quiet, "Print only errors and missed bands");
     addPluginOption(app, plugins);
   };
   const auto end =
-      parseCommandLine(argc, argv, "suture_study", "Runs a scene with many values of some of its parameters; one table of all.", describe);
+      parseCommandLine(argc, argv, "suture_study", "Runs a scene with different values of its parameters and writes one table.", describe);
   const std::string prefix = "Study/";
   for (const std::string& assignment : set) {
     if (assignment.compare(0, prefix.size(), prefix) == 0)

@@ -33,11 +33,11 @@ struct Line {
 Verdict judge(const Order& order, const std::string& label, Line line) {
   Verdict verdict{order.name + (label.empty() ? "" : ", " + label), false, true, order.y + " against " + order.x + ": "};
   std::sort(line.points.begin(), line.points.end());
-  // Smaller x first: the finest meshes are where the order shows.
+  // Smallest x first: the finest meshes show the order.
   if (order.last > 0 && static_cast<int>(line.points.size()) > order.last) line.points.resize(std::size_t(order.last));
   if (line.points.size() + std::size_t(line.missing) < 2) {
     verdict.judged = false;
-    verdict.sentence += "only one run of two or more that make an order was run";
+    verdict.sentence += "only one run was run; an order needs two or more";
     return verdict;
   }
   if (line.points.size() < 2 || line.points.front().first == line.points.back().first) {

@@ -5,8 +5,8 @@
 
 namespace suture::study {
 
-/// Fits the order of every line of every entry of Orders: the slope of log y over log x by least squares over its runs, or the last few of
-/// them in the order of x. A run that counts but has no positive values misses it. Local.
+/// Fits the order for every line of every entry of Orders: the least-squares slope of log y over log x over its runs, or over those with
+/// the smallest x. A run that counts but has no positive values violates the order. Local.
 std::vector<Verdict> judgeOrders(const Study& study, const std::vector<Row>& rows);
 
 }  // namespace suture::study

@@ -21,19 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The script beside this program. \return why there are no pictures, or ""
+// Calls the plot script next to this program. \return why there are no plots, or ""
 std::string draw(const std::string& folder) {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   std::string script = (self.parent_path() / "suture_study_plot").string(), quiet = "--quiet", where = folder;
-  if (!fs::exists(script, error)) return "there is no " + script;
+  if (!fs::exists(script, error)) return "missing script " + script;
   char* arguments[] = {script.data(), quiet.data(), where.data(), nullptr};
   pid_t child;
   const int failed = posix_spawn(&child, script.c_str(), nullptr, nullptr, arguments, environ);
   if (failed != 0) return script + " cannot be run (is python3 installed?)";
   int status = 0;
   waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : script + " failed (its message stands above)";
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : script + " failed (see its message above)";
 }
 
 std::vector<Verdict> judge(const Study& study, const std::vector<Row>& rows) {
@@ -81,7 +81,7 @@ ExitCode reportStudy(const Comm& comm, const Study& study, const Rows& all, cons
     if (!options.quiet) {
       std::cout << "  " << folder << "/  table.csv  table.md  study.json" << (study.plots.empty() || !noPictures.empty() ? "" : "  *.png")
                 << std::endl;
-      if (!noPictures.empty()) std::cout << "  no pictures: " << noPictures << std::endl;
+      if (!noPictures.empty()) std::cout << "  no plots: " << noPictures << std::endl;
     }
     printVerdicts(verdicts, options.quiet);
     missed = static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& one) { return one.judged && !one.kept; }));
@@ -92,7 +92,8 @@ ExitCode reportStudy(const Comm& comm, const Study& study, const Rows& all, cons
     if (failed > 0 && (!study.allowFailures || !options.quiet))
       (study.allowFailures ? std::cout : std::cerr) << "suture_study: " << counted(failed, "run") << " without a solution" << std::endl;
     if (bugs > 0)
-      std::cerr << "suture_study: " << counted(bugs, "run") << " met a bug of Suture: please report it with the scene" << std::endl;
+      std::cerr << "suture_study: " << counted(bugs, "run") << " failed by a bug in Suture: please report it together with the scene"
+                << std::endl;
   });
   std::vector<int> counts{missed, failed, bugs};
   broadcast(comm, counts);

@@ -3,7 +3,7 @@
 
 namespace suture::study {
 
-/// The study file: what its reader accepts and suture_schema prints for it. Local.
+/// Schema of the study file, for its reader and suture_schema. Local.
 Schema studySchema();
 
 }  // namespace suture::study

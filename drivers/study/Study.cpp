@@ -27,8 +27,8 @@ void checkLabels(const Sweep& sweep, const std::string& path, Problems& problems
   std::set<std::string> seen;
   for (const std::string& label : sweep.labels) {
     if (!seen.insert(label).second)
-      problems.add(path, "the label '" + label + "' occurs twice; expected different ones" +
-                             (sweep.parameters.size() > 1 ? " (Labels gives them)" : ""));
+      problems.add(path, "the label '" + label + "' occurs twice; labels must differ" +
+                             (sweep.parameters.size() > 1 ? " (set them by Labels)" : ""));
     if (label.find('|') != std::string::npos)
       problems.add(path, "the label '" + label + "' contains '|', which separates labels in filters");
   }
@@ -47,15 +47,15 @@ Sweep readSweep(const Parameters& list, const std::string& name, Problems& probl
                                               "' of the same sweep has " + std::to_string(first.values.size()) +
                                               ": parameters of one sweep vary together");
   }
-  if (sweep.parameters.empty()) return sweep;  // the schema has said so
+  if (sweep.parameters.empty()) return sweep;  // reported by the schema
   const std::size_t count = sweep.parameters.front().values.size();
   if (!sweep.labels.empty() && sweep.labels.size() != count)
     problems.add(pathOf(list, "Labels"),
-                 "has " + std::to_string(sweep.labels.size()) + " labels for " + std::to_string(count) + " values; expected one each");
+                 "has " + std::to_string(sweep.labels.size()) + " labels for " + std::to_string(count) + " values; expected one per value");
   if (sweep.labels.empty()) {
     sweep.labels.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-      std::vector<std::string> different;  // one word for parameters that always agree
+      std::vector<std::string> different;  // one word for parameters that always have equal values
       for (const Parameter& parameter : sweep.parameters)
         if (i < parameter.values.size() && std::find(different.begin(), different.end(), parameter.values[i]) == different.end())
           different.push_back(parameter.values[i]);
@@ -66,13 +66,13 @@ Sweep readSweep(const Parameters& list, const std::string& name, Problems& probl
   return sweep;
 }
 
-// Each path of the scene may be changed in one place only: a sweep that another change hides would compare a run with itself.
+// Checks that each path of the scene is changed in one place only; otherwise a sweep could be overridden and compare a run with itself.
 void checkPaths(const Study& study, Problems& problems) {
   std::map<std::string, std::string> owner;
   const auto claim = [&](const std::string& path, const std::string& where) {
     if (path == "Output/Folder" || path == "Output/Fields")
       problems.add(where,
-                   "'" + path + "' is the study's own choice" + (path == "Output/Fields" ? " (its parameter Fields)" : " (--output)"));
+                   "'" + path + "' is set by the study itself" + (path == "Output/Fields" ? " (its parameter Fields)" : " (--output)"));
     const auto [at, isNew] = owner.emplace(path, where);
     if (!isNew) problems.add(where, "'" + path + "' is changed in " + at->second + " as well");
   };
@@ -85,8 +85,8 @@ void checkPaths(const Study& study, Problems& problems) {
   }
   for (const Sweep& sweep : study.sweeps)
     for (const Parameter& parameter : sweep.parameters) claim(parameter.path, "Sweeps/" + sweep.name + "/" + parameter.name);
-  if (owner.count("Scene") == 0 && study.scene.empty()) problems.add("Scene", "is missing: a study runs a scene, or sweeps over some");
-  if (owner.count("Scene") && !study.scene.empty()) problems.add("Scene", "is given and changed in " + owner["Scene"] + " as well");
+  if (owner.count("Scene") == 0 && study.scene.empty()) problems.add("Scene", "is missing: a study needs a scene, or a sweep over scenes");
+  if (owner.count("Scene") && !study.scene.empty()) problems.add("Scene", "is given, but changed in " + owner["Scene"] + " as well");
 }
 
 std::optional<double> realIf(const Parameters& list, const std::string& name) {
@@ -94,7 +94,7 @@ std::optional<double> realIf(const Parameters& list, const std::string& name) {
   return list.get<double>(name);
 }
 
-// A column of the table, or a formula of its own.
+// The formula of a column of the table, or a separate formula.
 Formula formulaOf(const Study& study, const std::string& column, const std::string& path, Problems& problems) {
   const auto known = std::find_if(study.columns.begin(), study.columns.end(), [&](const Column& one) { return one.name == column; });
   return known != study.columns.end() ? known->formula : columnFormula(column, path, problems);
@@ -111,8 +111,7 @@ Band readBand(const Parameters& list, const std::string& name, const Study& stud
             realIf(list, "Largest Over Smallest At Most"),
             realIf(list, "Largest Minus Smallest At Most")};
   if (!band.atMost && !band.atLeast && !band.ratioAtMost && !band.differenceAtMost)
-    problems.add(pathOf(list),
-                 "compares with nothing: expected At Most, At Least, Largest Over Smallest At Most or Largest Minus Smallest At Most");
+    problems.add(pathOf(list), "has no bound: expected At Most, At Least, Largest Over Smallest At Most or Largest Minus Smallest At Most");
   for (const std::string& where : texts(list, "Where")) addToFilter(where, study.sweeps, pathOf(list, "Where"), band.where, problems);
   return band;
 }
@@ -124,8 +123,8 @@ Order readOrder(const Parameters& list, const std::string& name, const Study& st
   order.last = list.get<int>("Last");
   order.atLeast = realIf(list, "At Least");
   order.atMost = realIf(list, "At Most");
-  if (!order.atLeast && !order.atMost) problems.add(pathOf(list), "compares with nothing: expected At Least or At Most");
-  if (order.last == 1) problems.add(pathOf(list, "Last"), "one run has no order; expected at least 2, or 0 for all");
+  if (!order.atLeast && !order.atMost) problems.add(pathOf(list), "has no bound: expected At Least or At Most");
+  if (order.last == 1) problems.add(pathOf(list, "Last"), "a single run has no order; expected at least 2, or 0 for all");
   for (const std::string& where : texts(list, "Where")) addToFilter(where, study.sweeps, pathOf(list, "Where"), order.where, problems);
   const std::vector<std::string> sweeps = names(study.sweeps);
   for (const std::string& by : texts(list, "By")) {
@@ -167,7 +166,7 @@ void readColumns(Study& study, Problems& problems) {
   std::set<std::string> seen;
   for (const std::string& sweep : names(study.sweeps)) seen.insert(sweep);
   for (const Column& column : study.columns)
-    if (!seen.insert(column.name).second) problems.add("Columns", "a second column (or a sweep) is called '" + column.name + "'");
+    if (!seen.insert(column.name).second) problems.add("Columns", "another column (or a sweep) has the name '" + column.name + "'");
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 
 namespace suture::study {
 
-/// Placeholder for "as the scene has it" in a list of values.
+/// Placeholder in a list of values: keeps the value of the scene.
 inline constexpr const char* kUnchanged = "-";
 
-/// One parameter of the scene (or "Scene", the scene file itself) and its values, tied to those of the others of its sweep.
+/// A parameter of the scene (or "Scene", the scene file itself) and its values, which vary together with others of its sweep.
 struct Parameter {
   std::string name;  ///< of its list in the study
   std::string path;  ///< in the scene: "Mesh/Constants/scale"
@@ -22,14 +22,14 @@ struct Parameter {
 /// Parameters that vary together; different sweeps are combined.
 struct Sweep {
   std::string name;
-  std::vector<std::string> labels;  ///< one for each value
+  std::vector<std::string> labels;  ///< one per value
   std::vector<Parameter> parameters;
 };
 
-/// Sweep -> the labels that take part; a sweep that is not named takes part with all.
+/// Sweep -> selected labels; a sweep that is not listed is not restricted.
 using Filter = std::map<std::string, std::vector<std::string>>;
 
-/// Bounds of a column over the rows that a filter leaves.
+/// Bounds of a column over the rows that pass a filter.
 struct Band {
   std::string name, column;  ///< column: as written
   Formula formula;
@@ -37,24 +37,24 @@ struct Band {
   std::optional<double> atMost, atLeast, ratioAtMost, differenceAtMost;
 };
 
-/// The order of convergence of a column in another, asserted.
+/// A required order of convergence of one column with respect to another.
 struct Order {
   std::string name, x, y;  ///< columns: as written
   Formula xFormula, yFormula;
   Filter where;
-  std::vector<std::size_t> by;  ///< sweeps: a fit for each combination of their labels
-  int last = 0;                 ///< of the smallest x so many runs count; 0: all
+  std::vector<std::size_t> by;  ///< sweeps: one fit per combination of their labels
+  int last = 0;                 ///< number of runs that count, those with the smallest x; 0: all
   std::optional<double> atLeast, atMost;
 };
 
-/// A picture: columns (or sweeps) by their names.
+/// A plot: columns (or sweeps) by name.
 struct Plot {
   std::string name, x;
   std::vector<std::string> y, by;
   bool logarithmicX = false, logarithmicY = false, pareto = false;
 };
 
-/// A study file, read and checked as far as it goes without its scenes.
+/// A study file, read and checked without its scenes.
 struct Study {
   SceneFile file;
   std::string name;  ///< of the file, without extension
@@ -70,13 +70,13 @@ struct Study {
 };
 
 /// Reads a study as strictly as a scene. \param overrides  of the study's own parameters
-/// \throws InputError  with all problems: unknown names, tied lists of different lengths, unknown columns, ...  Collective.
+/// \throws InputError  lists all problems: unknown names, lists of different lengths in a sweep, unknown columns, ...  Collective.
 Study readStudy(const Comm& comm, const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// "sweep=label" or "sweep=label|label" into `filter`, checked against the sweeps; what is wrong goes to `problems` under `path`. Local.
+/// Adds "sweep=label" or "sweep=label|label" to `filter`, checked against the sweeps; adds errors to `problems` under `path`. Local.
 void addToFilter(const std::string& text, const std::vector<Sweep>& sweeps, const std::string& path, Filter& filter, Problems& problems);
 
-/// True if a combination (of each sweep the index of its label) takes part. Local.
+/// True if a combination (the index of the label for each sweep) passes the filter. Local.
 bool passes(const Filter& filter, const std::vector<Sweep>& sweeps, const std::vector<std::size_t>& choice);
 
 }  // namespace suture::study

@@ -1,4 +1,4 @@
-// main of suture_study; what it does is in ../suture_study.cpp.
+// main of suture_study, which is implemented in ../suture_study.cpp.
 #include "../support/Program.hpp"
 #include "Loop.hpp"
 

@@ -14,7 +14,7 @@ bool hasFailures(const std::vector<Row>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return !row.failure.empty(); });
 }
 
-// Labels, then cells; each passed through `write`.
+// Labels, then cells; each formatted by `write`.
 template <typename Write>
 std::vector<std::string> fields(const Study& study, const Row& row, bool failures, const Write& write) {
   std::vector<std::string> all;
@@ -62,7 +62,7 @@ bool isTime(const std::string& path) {
   return path.rfind("/phases/", 0) == 0 || (path.size() > unit.size() && path.compare(path.size() - unit.size(), unit.size(), unit) == 0);
 }
 
-// The median; the lower of the middle two if their number is even: a time that was measured.
+// The median; for an even number of values the lower of the middle two, which is a measured time.
 double median(std::vector<double> values) {
   const auto middle = values.begin() + (values.size() - 1) / 2;
   std::nth_element(values.begin(), middle, values.end());
@@ -93,7 +93,7 @@ Row studyRow(const Study& study, const Combination& run, const std::vector<std::
   summary["exit_code"] = exitCode;
   for (const Column& column : study.columns) row.cells.push_back(column.formula.evaluate(summary));
   for (const Band& band : study.bands) {
-    // The iterations of a run that did not converge say nothing; that it did not is a figure of its own.
+    // Figures of a run that did not converge are meaningless, except the exit code and convergence.
     const std::vector<std::string> paths = band.formula.paths();
     const bool counts = exitCode == 0 || paths == std::vector<std::string>{"exit_code"} || paths == std::vector<std::string>{"converged"};
     row.judged.push_back(counts ? band.formula.evaluate(summary) : TableCell());

@@ -18,7 +18,7 @@ std::vector<std::string> optionNames(const CLI::App& app) {
   return names;
 }
 
-// CLI11 says which word it did not expect; the user wants to know which one he may have meant.
+// Adds the nearest option name to CLI11's message about an unexpected word.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> extra = app.remaining();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) && !extra.empty() && extra.front().rfind("--", 0) == 0)
@@ -43,7 +43,7 @@ std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& n
   } catch (const CLI::CallForVersion& text) {
     return printed(name, std::string(text.what()) + "\n");
   } catch (const CLI::ParseError& error) {
-    // Not before MPI: mpirun ends all ranks with the first that fails, before rank 0 may have spoken.
+    // Prints before MPI starts, because mpirun ends all ranks with the first that fails, perhaps before rank 0 has printed.
     const std::string text = complaint(app, error);
     return runProgram(name, "", [&](const CommPtr&) -> ExitCode { throw CommandLineError(text); });
   }
@@ -68,7 +68,7 @@ CLI::Option* addSetOption(CLI::App& app, std::vector<std::string>& assignments, 
 }
 
 CLI::Option* addPluginOption(CLI::App& app, std::vector<std::string>& plugins) {
-  return app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")
+  return app.add_option("--plugin", plugins, "Load a library with user-defined strategies; may be repeated")
       ->type_name("LIB.so")
       ->allow_extra_args(false);
 }

@@ -10,8 +10,8 @@
 namespace suture {
 
 namespace {
-constexpr double patience = 2.0;  // seconds of a phase without a word
-constexpr double longer = 1.6;    // ratio of one line's time in the phase to that of the line before, in a file
+constexpr double patience = 2.0;  // seconds of a phase without output
+constexpr double longer = 1.6;    // in files, ratio between the times of successive lines in a phase
 constexpr std::chrono::milliseconds glance(100);
 }  // namespace
 

@@ -7,9 +7,9 @@
 
 namespace suture {
 
-/// Tells on the console where the run is while a phase takes longer than two seconds: what is done, what is left. On a terminal a line that
-/// goes with the next text, once a second; elsewhere a line on standard error, at longer and longer intervals. A thread of its own while it
-/// lives.
+/// Prints the progress of a phase that takes longer than two seconds: work done and remaining. On a terminal it updates one line every
+/// second until the next text; otherwise it prints lines to standard error at increasing intervals. Runs in its own thread during its
+/// lifetime.
 class Heartbeat {
  public:
   /// \param speaks  false: silent (--quiet; ranks without a console)

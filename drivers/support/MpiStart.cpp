@@ -9,7 +9,7 @@ namespace suture {
 
 namespace {
 
-/// True if the user's parameter file has a line "name = value". The environment, which Open MPI prefers, would hide it.
+/// True if the user's parameter file has a line "name = value", which an environment variable would override.
 bool isInUsersFile(const std::string& name) {
   const char* home = std::getenv("HOME");
   std::ifstream file(std::string(home ? home : "") + "/.openmpi/mca-params.conf");

@@ -4,13 +4,13 @@
 
 namespace suture {
 
-/// Makes Open MPI start faster in a process that no launcher started; create it before MPI_Init, and destroy it after. By default such a
-/// process waits .3 s: Open MPI opens the transports of all networks (pml), and starts a daemon (orted) that only MPI_Comm_spawn and
-/// MPI_Comm_connect need, which Suture does not call. The settings are made in the environment and taken back by the destructor: programs
-/// that this one starts do not inherit them.
-/// A setting of the user wins: one in the environment, or in the parameter file of Open MPI in the home folder.
-/// Below mpirun nothing is set, although pml=ob1 saves .15 s there, too: between nodes ob1 excludes the transports that a fast network has,
-/// and on one node all programs of an mpirun must choose the same pml, of which this one sees only itself.
+/// Speeds up the start of Open MPI in a process without a launcher. Create it before MPI_Init and destroy it afterwards. By default such a
+/// process waits .3 s: Open MPI opens the transports of all networks (pml), and starts a daemon (orted) that is needed only by
+/// MPI_Comm_spawn and MPI_Comm_connect, which Suture does not call. The settings are environment variables; the destructor removes them,
+/// so child processes do not inherit them.
+/// User settings take precedence, from the environment or from the parameter file of Open MPI in the home folder.
+/// Nothing is set below mpirun, although pml=ob1 would save .15 s there: between nodes, ob1 excludes the transports of fast networks, and
+/// on one node all programs of an mpirun must choose the same pml, which this process cannot ensure.
 class MpiStart {
  public:
   MpiStart();
@@ -19,10 +19,10 @@ class MpiStart {
   MpiStart& operator=(const MpiStart&) = delete;
 
  private:
-  std::vector<std::string> set_;  // names of variables that were not there
+  std::vector<std::string> set_;  // variables that were not set before
 };
 
-/// Rank that a launcher (mpirun, srun) gave this process, also before MPI begins; null without one.
+/// Rank assigned by a launcher (mpirun, srun), available before MPI starts; null without a launcher.
 const char* launchedRank();
 
 }  // namespace suture

@@ -4,8 +4,8 @@
 
 namespace suture {
 
-/// Loads users' libraries, whose static objects add strategies to the registries; they stay loaded. Before the schema is built. Local.
-/// \throws CommandLineError  for one that cannot be loaded, with the reason of the system
+/// Loads user libraries, whose static objects register strategies; they stay loaded. Call before the schema is built. Local.
+/// \throws CommandLineError  a library cannot be loaded; contains the system's reason
 void loadPlugins(const std::vector<std::string>& paths);
 
 }  // namespace suture

@@ -23,7 +23,7 @@ void printSizes(const Comm& comm, const Simulation& simulation, const SolveOptio
 void printChecked(const Comm& comm, const Simulation& simulation) {
   if (std::ostream* console = consoleOf(comm, false))
     *console << "   about " << static_cast<long>(std::ceil(simulation.megabytes())) << " MB of memory for a run\n"
-             << "   nothing wrong was found; nothing was solved (--check)" << std::endl;
+             << "   no errors found; not solved (--check)" << std::endl;
 }
 
 void printFailure(const Comm& comm, const Simulation& simulation, const SolveOptions& options) {

@@ -5,16 +5,16 @@
 
 namespace suture {
 
-/// --print-defaults: the resolved scene as XML on standard output.
+/// --print-defaults: prints the resolved scene as XML on standard output.
 RunResult printDefaults(const Comm& comm, const SceneFile& file);
 
-/// The header of the console; for --check also with --quiet: its sizes are what was asked for.
+/// Prints the header of the console; with --check even if --quiet is set, because the sizes are the result.
 void printSizes(const Comm& comm, const Simulation& simulation, const SolveOptions& options);
 
-/// --check: how much memory a run would take, and that nothing wrong was found.
+/// --check: prints the estimated memory of a run, and that no errors were found.
 void printChecked(const Comm& comm, const Simulation& simulation);
 
-/// With --quiet, why a run did not end well: the exit code would be all that tells.
+/// With --quiet, prints why a run failed; otherwise only the exit code would show it.
 void printFailure(const Comm& comm, const Simulation& simulation, const SolveOptions& options);
 
 }  // namespace suture

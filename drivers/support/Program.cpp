@@ -27,7 +27,7 @@
 #include "MpiStart.hpp"
 #include "StoppableOutput.hpp"
 
-// OpenBLAS and OpenMP read their environment when they are loaded, before main; the symbol of one that is not in the program is absent.
+// OpenBLAS and OpenMP read their environment when they are loaded, before main; the symbol of a library that is not linked is null.
 extern "C" {
 void openblas_set_num_threads(int) __attribute__((weak));
 void omp_set_num_threads(int) __attribute__((weak));
@@ -38,15 +38,15 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace suture {
 namespace {
 
-constexpr double secondsForOthers = 2.0;  // seconds for the other ranks to arrive, once one has failed
+constexpr double secondsForOthers = 2.0;  // time for the other ranks to arrive after one has failed
 
 void oneThreadARank() {
   if (omp_set_num_threads && !std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
   if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
 }
 
-// By default glibc maps every large block anew and gives it back when it is freed: each work matrix then costs a page fault every 4 kB.
-// Tunnel of 937,439 unknowns, 512 subdomains, two ranks: 369,000 page faults with the default, 256,000 so; the peak is the same.
+// By default glibc maps every large block anew and returns it when it is freed: each work matrix then costs one page fault per 4 kB.
+// Tunnel of 937,439 unknowns, 512 subdomains, two ranks: 369,000 page faults by default, 256,000 with this setting; same peak.
 void keepFreedMemory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
@@ -55,12 +55,12 @@ void keepFreedMemory() {
 #endif
 }
 
-// OpenBLAS takes its work space at its first product, and asks again for ever where there is none. It gets it now, or the run ends.
+// OpenBLAS allocates its work space at its first product, and retries for ever if that fails. Allocate it now or end the run.
 void giveBlasItsMemory() {
   constexpr double buffer = 256.0;  // megabytes; OpenBLAS 0.3.21 maps 32 to 128, depending on the processor
   if (const double left = addressSpaceLeft(); left < buffer)
-    throw EnvironmentError("the limit of the address space (ulimit -v) leaves " + gigabytes(left) + " to this process, which needs " +
-                           gigabytes(buffer) + " before any work; raise the limit");
+    throw EnvironmentError("the address space limit (ulimit -v) leaves " + gigabytes(left) + " to this process, but at least " +
+                           gigabytes(buffer) + " are needed to start; raise the limit");
   if (!dgemm_) return;
   constexpr int n = 64;
   const double one = 1.0;
@@ -83,7 +83,7 @@ void print(const std::string& message) {
 
 std::string plural(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
 
-// Lines after the first are indented below it.
+// Indents all lines after the first.
 std::string indented(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -110,7 +110,7 @@ std::string inputErrors(const std::string& name, const std::string& subject, con
 
 void openStandardFiles() {
   for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    // open() takes the least number that is free: this one.
+    // open() returns the lowest free number, which is this one.
     if (fcntl(file, F_GETFD) == -1 && open("/dev/null", file == STDIN_FILENO ? O_RDONLY : O_WRONLY) != file) std::_Exit(5);
 }
 
@@ -130,19 +130,19 @@ Explanation explain(const std::string& name, const std::string& subject, const s
     return {ours->code(), begin + what};
   }
   return {ExitCode::Internal, begin + "internal error" + (subject.empty() ? "" : " in " + subject) + "\n  " + what +
-                                  "  This is a bug of Suture: please report it with the scene.\n"};
+                                  "  This is a bug in Suture: please report it together with the scene.\n"};
 }
 
 namespace {
 
 int freeMeeting(MPI_Comm parent, int, void* kept, void*) {
   auto* meeting = static_cast<MPI_Comm*>(kept);
-  if (parent != MPI_COMM_WORLD && parent != MPI_COMM_SELF) MPI_Comm_free(meeting);  // those end in MPI_Finalize, and it with them
+  if (parent != MPI_COMM_WORLD && parent != MPI_COMM_SELF) MPI_Comm_free(meeting);  // those end in MPI_Finalize, together with `meeting`
   delete meeting;
   return MPI_SUCCESS;
 }
 
-/// The communicator that `parent` keeps for its meetings, made where it has none. Collective.
+/// The communicator that `parent` keeps for its meetings; created on first use. Collective.
 MPI_Comm meetingOf(MPI_Comm parent) {
   static const int key = [] {
     int made = MPI_KEYVAL_INVALID;
@@ -180,10 +180,10 @@ Explanation MeetingPoint::settle(const Explanation& mine) const {
   MPI_Request request;
   MPI_Iallreduce(&code, &worst, 1, MPI_INT, MPI_MAX, impl_->comm, &request);
   const double begin = MPI_Wtime();
-  // A rank that has succeeded waits as long as it takes: the one it waits for comes, or aborts.
+  // A rank that has succeeded waits without limit: the rank that it waits for either arrives or aborts.
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done; MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
     if (!mine.message.empty() && MPI_Wtime() - begin > secondsForOthers)
-      abortAll(mine.message + "  This rank failed alone, the others still wait for it: aborting.\n", mine.code);
+      abortAll(mine.message + "  Only this rank failed and the others still wait for it: aborting.\n", mine.code);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   int rank, ranks, first;
@@ -206,10 +206,10 @@ void MeetingPoint::wait() const { MPI_Barrier(impl_->comm); }
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
   oneThreadARank();
   keepFreedMemory();
-  setenv("HWLOC_HIDE_ERRORS", "2", 0);  // MPI asks hwloc, which prints where a machine has no /sys
+  setenv("HWLOC_HIDE_ERRORS", "2", 0);  // MPI uses hwloc, which prints errors on machines without /sys
   StoppableOutput output;
   Hdf5File::withoutExitHandler();
-  // Kokkos would look for options of its own in ours.
+  // An empty command line, since Kokkos would look for its own options.
   int argc = 1;
   std::string program = name;
   char* arguments[] = {program.data(), nullptr};
@@ -218,7 +218,7 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   const Tpetra::ScopeGuard scope(&argc, &argv);
   start.reset();
   const MeetingPoint meeting(*Tpetra::getDefaultComm());
-  std::set_terminate([] { abortAll("suture: terminated by an exception that nobody caught\n"); });
+  std::set_terminate([] { abortAll("suture: terminated by an uncaught exception\n"); });
 
   Explanation end{ExitCode::Done, ""};
   try {

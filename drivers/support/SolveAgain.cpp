@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kFolder = "Output/Folder=";
 
-/// The run of a record as a command line; of `options` remain the output folder and how much is printed.
+/// The run of a record as a command line; output folder and verbosity are taken from `options`.
 SolveOptions optionsOf(const RunRecord& record, SolveOptions options) {
   const std::string folder = options.overrides.empty() ? kFolder + record.folderOfAgain() : options.overrides.back();
   options.scene = record.scene.path;
@@ -36,14 +36,14 @@ SolveOptions optionsOf(const RunRecord& record, SolveOptions options) {
   return options;
 }
 
-/// \throws CommandLineError  the run would replace its record
+/// \throws CommandLineError  the run would overwrite its record
 void keepRecord(const Comm& comm, const RunRecord& record, const std::string& folder) {
   collectivelyOnRoot(comm, "comparing folders", [&] {
     std::error_code ignored;
     const fs::path own = fs::absolute(fs::path(record.path), ignored).parent_path();
     if (fs::equivalent(own, folder, ignored) || fs::weakly_canonical(own) == fs::weakly_canonical(fs::absolute(folder, ignored)))
       throw CommandLineError("--output '" + folder +
-                             "' is the folder of the run that is made again, whose results would be replaced; "
+                             "' is the folder of the original run, whose results would be replaced; "
                              "choose another folder");
   });
 }

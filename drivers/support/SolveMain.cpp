@@ -1,4 +1,4 @@
-// main of suture_solve; what it does is in ../suture_solve.cpp.
+// main of suture_solve, which is implemented in ../suture_solve.cpp.
 #include "Plugins.hpp"
 #include "Program.hpp"
 #include "SolveAgain.hpp"

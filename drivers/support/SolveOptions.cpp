@@ -14,19 +14,19 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
   const auto describe = [&](CLI::App& app) {
     CLI::Option* file = app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->type_name("FILE");
     CLI::Option* set = addSetOption(app, overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"");
-    app.add_option("--output", output, "Output folder, instead of the scene's Output/Folder")->type_name("DIR");
+    app.add_option("--output", output, "Output folder; overrides Output/Folder of the scene")->type_name("DIR");
     CLI::Option* from = app.add_option("--restart", restart,
-                                       "Start from the checkpoint.h5 of a run of this mesh: one that did not end, or an earlier load step")
+                                       "Start from the checkpoint.h5 of a run on the same mesh: an unfinished run, or an earlier load step")
                             ->type_name("FILE");
-    CLI::Option* look = app.add_flag("--check", check, "Read everything, cut the mesh, print the sizes, solve nothing");
-    CLI::Option* print = app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults filled in and stop");
+    CLI::Option* look = app.add_flag("--check", check, "Read the scene, cut the mesh and print the sizes without solving");
+    CLI::Option* print = app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults and stop");
     CLI::Option* silent = app.add_flag("--quiet", quiet, "Print errors only");
-    app.add_flag("--verbose", verbose, "Print the inner iterations, too")->excludes(silent);
+    app.add_flag("--verbose", verbose, "Also print the inner iterations")->excludes(silent);
     CLI::Option* plugin = addPluginOption(app, plugins);
-    CLI::Option* severe = app.add_flag("--strict", strict, "Treat warnings (something repaired or assumed for you) as errors");
+    CLI::Option* severe = app.add_flag("--strict", strict, "Treat warnings (something was repaired or assumed) as errors");
     CLI::Option* repeat = app.add_option("--again", again,
-                                         "Make the run of a summary.json again, in place of SCENE, and compare the results; --output is by "
-                                         "default its folder with '_again'")
+                                         "Repeat the run recorded in a summary.json, instead of SCENE, and compare the results; default of "
+                                         "--output: the folder of that run with '_again'")
                               ->type_name("FILE");
     app.callback([=] {
       if (scene.empty() && again.empty()) throw CLI::RequiredError("SCENE");

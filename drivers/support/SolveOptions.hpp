@@ -7,22 +7,22 @@
 
 namespace suture {
 
-/// The command line of suture_solve, and of each run of suture_study.
+/// The command line of suture_solve and of each run of suture_study.
 struct SolveOptions {
   std::string scene;
-  std::string again;                   ///< summary.json of a run to make again, or empty; then `scene` and all that changes it are its
-  std::string restart;                 ///< checkpoint to go on from, or empty
-  std::vector<std::string> overrides;  ///< of --set, and --output as "Output/Folder=DIR"
+  std::string again;                   ///< summary.json of a run to repeat, or empty; its record replaces `scene` and overrides
+  std::string restart;                 ///< checkpoint to start from, or empty
+  std::vector<std::string> overrides;  ///< from --set, and --output as "Output/Folder=DIR"
   std::vector<std::string> plugins;
   bool check = false, printDefaults = false, quiet = false, verbose = false, strict = false;
   std::vector<std::string> commandLine;  ///< as given, for provenance
 
-  std::optional<RunRecord> record;  ///< run that is made again
+  std::optional<RunRecord> record;  ///< the run to repeat
 
-  /// \return the exit code when the program ends here (--help, --version, a wrong option)
+  /// \return the exit code if the program ends here (--help, --version, a wrong option)
   std::optional<int> parse(int argc, char* argv[]);
 
-  /// Plugins and checkpoint with their hashes, and the rest, for the record of a run. Collective. \throws InputError  a file is gone
+  /// Command line, plugins and checkpoint with their hashes, for the record of a run. Collective. \throws InputError  a file is missing
   Invocation invocation(const Comm& comm) const;
 };
 

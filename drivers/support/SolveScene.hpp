@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// From a scene file to the files of a run: the whole of suture_solve, and one run of suture_study. Plugins must be loaded before.
+/// Runs suture_solve, or one run of suture_study, from the scene file to the result files. Plugins must be loaded before.
 /// Collective over `comm`. \throws Error  of any kind, the same on all ranks
 RunResult solveScene(const CommPtr& comm, const SolveOptions& options);
 

@@ -13,9 +13,9 @@ namespace {
 constexpr unsigned secondsToStop = 4;  // seconds
 
 volatile std::sig_atomic_t stopAsked = 0;
-std::function<bool()> host;  // empty: there is none
+std::function<bool()> host;  // empty without a host
 
-// All of these may be called by a handler of signals.
+// The following functions are safe in signal handlers.
 void say(const char* text, std::size_t length) {
   if (!takesText(STDERR_FILENO, 0) || write(STDERR_FILENO, text, length) < 0) return;
 }

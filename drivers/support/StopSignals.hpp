@@ -5,12 +5,13 @@
 
 namespace suture {
 
-/// SIGUSR1, SIGTERM and SIGINT end the run after the outer iteration in hand, with a checkpoint and exit code 75. SIGTERM and SIGINT are
-/// in a hurry: where no iteration has ended four seconds later (the mesh is read, matrices are factored, a long iteration), the process
-/// ends with 75 and without a new checkpoint; a second one ends it at once.
+/// SIGUSR1, SIGTERM and SIGINT end the run after the current outer iteration, with a checkpoint and exit code 75. For SIGTERM and SIGINT,
+/// if no iteration ends within four seconds (reading the mesh, factoring, a long iteration), the process ends with 75 and without a new
+/// checkpoint; a second signal ends it at once.
 void listenForStop(RunMonitor& monitor);
 
-/// A host program (Python) has handlers of signals of its own: while this lives, listenForStop() leaves them alone and asks the host.
+/// For a host program (Python) with its own signal handlers: during its lifetime, listenForStop() installs no handlers but queries the
+/// host.
 class StopsByHost {
  public:
   explicit StopsByHost(std::function<bool()> isAsked);
@@ -19,15 +20,15 @@ class StopsByHost {
   StopsByHost& operator=(const StopsByHost&) = delete;
 };
 
-/// True if such a signal came, on this rank.
+/// True if a stop signal was received, on this rank.
 bool stopWasAsked();
 
-/// The iterations have ended: the verdict and the files may take as long as they need. Local.
+/// Call when the iterations have ended: verification and output may then take any time. Local.
 void stopIsHeard();
 
-/// True if a write to the file descriptor returns at once, with success or failure, instead of waiting for a reader. Waits for that until a
-/// signal comes or the time is over.
-/// May be called by a handler of signals.
+/// True if a write to the file descriptor would return at once, with success or failure, instead of blocking for a reader. Waits for this
+/// condition until a signal arrives or the time is over.
+/// Safe in signal handlers.
 bool takesText(int file, int milliseconds);
 
 }  // namespace suture

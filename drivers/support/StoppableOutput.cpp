@@ -13,9 +13,9 @@ namespace suture {
 
 namespace {
 
-constexpr std::size_t most = 4096;  // that are collected without a flush
-constexpr std::size_t piece = 256;  // a terminal or pipe that is ready takes these without waiting
-constexpr int pause = 100;          // milliseconds for the reader once the run has been asked to stop
+constexpr std::size_t most = 4096;  // characters collected without a flush
+constexpr std::size_t piece = 256;  // characters that a ready terminal or pipe takes without blocking
+constexpr int pause = 100;          // milliseconds for the reader after a stop signal
 
 }  // namespace
 
@@ -76,7 +76,7 @@ int StoppableOutput::send() {
   std::string text;
   text.swap(text_);
   for (std::size_t sent = 0; sent < text.size();) {
-    const bool stop = stopWasAsked();  // asked before the wait: a reader has the whole pause, also when a signal interrupts the wait
+    const bool stop = stopWasAsked();  // before the wait: the reader gets the whole pause even if a signal interrupts the wait
     if (!takesText(STDOUT_FILENO, pause)) {
       if (stop) break;
       continue;

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Stands behind std::cout while it lives. A reader that takes nothing (a terminal on hold, a pipe that nobody empties, an mpirun that is
-/// about to end its ranks) holds a run up only until a signal asks it to stop: text that the reader then does not take is dropped.
+/// Stream buffer of std::cout during its lifetime. A reader that blocks (a suspended terminal, a pipe that nobody empties, an mpirun about
+/// to end its ranks) delays a run only until a stop signal arrives; text that the reader does not take after that is dropped.
 class StoppableOutput : public std::streambuf {
  public:
   StoppableOutput();
@@ -15,10 +15,10 @@ class StoppableOutput : public std::streambuf {
   StoppableOutput& operator=(const StoppableOutput&) = delete;
 
   bool isTerminal() const { return terminal_; }
-  /// Error number of the first text that could not be written (a full disk, a device without room); 0: none. Local.
+  /// Error number of the first failed write (a full disk, a full device); 0 if none. Local.
   int failure();
-  /// A line of another thread, between two lines of the program: on a terminal until the next text, else for good on standard error, where
-  /// it is in nobody's way who reads the output. Nothing happens while the program is within a line of its own.
+  /// Prints a line from another thread between two lines of the program: on a terminal until the next text, otherwise permanently on
+  /// standard error, to keep standard output clean. No effect while the program is within a line.
   void between(const std::string& line);
 
  private:
@@ -31,10 +31,10 @@ class StoppableOutput : public std::streambuf {
   std::streambuf* before_;
   const bool terminal_;
   std::mutex mutex_;
-  std::string text_;      // written, and not yet sent
-  bool endsLine_ = true;  // the text sent before did
-  int failure_ = 0;       // of the first write that failed
-  bool isWiped_ = true;   // no line of between() stands on the terminal
+  std::string text_;      // written, but not sent yet
+  bool endsLine_ = true;  // the text sent last ended a line
+  int failure_ = 0;       // of the first failed write
+  bool isWiped_ = true;   // the terminal shows no line of between()
 };
 
 }  // namespace suture

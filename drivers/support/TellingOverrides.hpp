@@ -7,11 +7,11 @@
 
 namespace suture {
 
-/// Number of the assignment that a problem of a scene is about, or on whose path it lies; -1: none, the file is to blame. Local.
+/// Index of the override that caused a problem of a scene, by its path; -1: none, i.e. the file is wrong. Local.
 int overrideOf(const Problem& problem, const std::vector<std::string>& overrides);
 
-/// Runs `work`; problems of its InputError that are about an assignment of the command line say so: the file named above them does not
-/// have it. Local.
+/// Runs `work` and marks problems of its InputError that are caused by overrides from the command line, since the scene file named in the
+/// message does not contain them. Local.
 ExitCode tellingOverrides(const std::vector<std::string>& overrides, const std::function<ExitCode()>& work);
 
 }  // namespace suture

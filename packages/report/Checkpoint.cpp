@@ -14,13 +14,13 @@ namespace suture {
 namespace {
 constexpr const char* kGroup = "/SutureCheckpoint";
 constexpr std::size_t kSliding = 5;     // components of a row of Sliding: direction, bound [force], friction
-constexpr std::size_t kOldSliding = 4;  // earlier files have no friction
+constexpr std::size_t kOldSliding = 4;  // earlier files lack friction
 constexpr std::size_t kStep = 19;       // components of a row of Steps
 constexpr std::size_t kPathPair = 9;    // components of a row of PathPairs: slip, slipped, dissipated, force, tangential
 constexpr std::size_t kCarried = 4;     // components of a row of Carried: BodyForces
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
-/// Members of a StepRow as numbers: one list for both directions.
+/// Members of a StepRow as numbers; one list for reading and writing.
 template <typename Row, typename Each>
 void forEachNumber(Row& row, const Each& each) {
   each(row.step), each(row.time), each(row.length), each(row.outer), each(row.pcg), each(row.givenUp), each(row.active), each(row.sticking);
@@ -51,7 +51,7 @@ void writePath(Hdf5File& file, const Comm& comm, const PathState& steps) {
   file.write(at("Carried"), carried, static_cast<int>(kCarried));
 }
 
-/// \param ids  of the pairs, in the order of the file
+/// \param ids  of the pairs, in file order
 PathState readPath(const Hdf5File& file, const std::string& path, const std::vector<int>& ids) {
   PathState steps;
   if (!file.has(at("Steps"))) return steps;
@@ -60,7 +60,7 @@ PathState readPath(const Hdf5File& file, const std::string& path, const std::vec
   const auto finite = [](double value) { return std::isfinite(value); };
   if (rows.size() % kStep != 0 || next.size() != 1 || pairs.size() != kPathPair * ids.size() ||
       !std::all_of(rows.begin(), rows.end(), finite) || !std::all_of(pairs.begin(), pairs.end(), finite))
-    throw InputError(path, "damaged: its load steps are not complete");
+    throw InputError(path, "damaged: incomplete load steps");
   for (auto at = rows.begin(); at != rows.end();)
     forEachNumber(steps.rows.emplace_back(), [&](auto& value) { value = static_cast<std::decay_t<decltype(value)>>(*at++); });
   const std::vector<double> forces = file.readReals(at("StepForces"));
@@ -75,7 +75,7 @@ PathState readPath(const Hdf5File& file, const std::string& path, const std::vec
   if (!file.has(at("Carried"))) return steps;
   const std::vector<double> carried = file.readReals(at("Carried"));
   if (carried.size() % kCarried != 0 || !std::all_of(carried.begin(), carried.end(), finite))
-    throw InputError(path, "damaged: its load steps are not complete");
+    throw InputError(path, "damaged: incomplete load steps");
   for (auto row = carried.begin(); row != carried.end(); row += kCarried) steps.carried.push_back({row[0], row[1], row[2], row[3]});
   return steps;
 }
@@ -88,7 +88,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   const int mine = meshes.empty() ? 1 : meshes.front().dimension;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension));
   std::vector<GlobalId> nodes;
-  std::vector<double> values, rests;  // rests: digits of the displacement beside the lift that their sum does not hold
+  std::vector<double> values, rests;  // rests: digits of the displacement lost to round-off in its sum with the lift
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     nodes.insert(nodes.end(), meshes[s].globalNodes.begin(), meshes[s].globalNodes.end());
     const Vector& u = solution.displacement[s];
@@ -98,7 +98,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
     }
   }
   std::vector<int> pairs, status;
-  std::vector<double> sliding;  // kSliding numbers of each pair
+  std::vector<double> sliding;  // kSliding numbers per pair
   int slides = 0, anySlides = 0;
   for (const PairResult& pair : solution.pairs) {
     pairs.push_back(pair.id);
@@ -120,7 +120,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   if (any) file.write(at("Rest"), rests, dimension);
   file.write(at("Pairs"), pairs);
   file.write(at("Status"), status);
-  if (anySlides) file.write(at("Sliding"), sliding, static_cast<int>(kSliding));  // nothing without friction
+  if (anySlides) file.write(at("Sliding"), sliding, static_cast<int>(kSliding));  // absent without friction
   if (!steps.empty()) writePath(file, comm, steps);
   file.close();
 }
@@ -128,7 +128,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
 Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                      PathState* steps) {
   const Hdf5File file = Hdf5File::open(comm, path);
-  if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: it has no group " + std::string(kGroup));
+  if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: missing group " + std::string(kGroup));
   const std::string expected = broadcast(comm, meshHash), found = file.readTextAttribute(kGroup, "MeshHash");
   if (found != expected) throw InputError(path, "a checkpoint of another mesh (hash " + found + ", this mesh has " + expected + ")");
   const std::vector<GlobalId> nodes = file.readGlobalIds(at("Nodes"));
@@ -165,7 +165,7 @@ Start readCheckpoint(const Comm& comm, const std::string& path, const std::strin
     const std::size_t columns = sliding.size() == kOldSliding * status.size() ? kOldSliding : kSliding;
     if (sliding.size() != columns * status.size())
       throw InputError(path,
-                       "damaged: " + std::to_string(sliding.size()) + " numbers of sliding for " + std::to_string(pairs.size()) + " pairs");
+                       "damaged: " + std::to_string(sliding.size()) + " values in Sliding for " + std::to_string(pairs.size()) + " pairs");
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (status[i] < 0 || status[i] > static_cast<int>(PairStatus::Stick))
         throw InputError(path, "damaged: pair " + std::to_string(pairs[i]) + " has the unknown status " + std::to_string(status[i]));

@@ -10,7 +10,7 @@
 
 namespace suture {
 
-/// How far a path of load steps has come.
+/// State of a path of load steps.
 struct PathState {
   /// A pair at the end of the last step.
   struct Pair {
@@ -22,21 +22,21 @@ struct PathState {
   std::vector<StepRow> rows;
   double length = 0.0;                ///< length of the next step
   std::vector<Pair> pairs{};          ///< written from rank 0, read on all ranks
-  std::vector<BodyForces> carried{};  ///< largest of each body so far; empty: not known (earlier files)
+  std::vector<BodyForces> carried{};  ///< largest forces on each body so far; empty: unknown (earlier files)
 
   bool empty() const { return rows.empty(); }
 };
 
-/// Writes a checkpoint (HDF5) under a temporary name first: displacements of all nodes and the status of all contact pairs, in the mesh's
-/// numbers, so that any number of ranks and any partition can go on from it. Collective. \throws EnvironmentError
-/// \param meshHash  on rank 0: a checkpoint goes with one mesh
-/// \param steps  load steps that the solution is the end of
+/// Writes a checkpoint (HDF5), first under a temporary name: displacements of all nodes and the status of all contact pairs, in mesh
+/// numbering, such that a run with any number of ranks and any partition can continue from it. Collective. \throws EnvironmentError
+/// \param meshHash  on rank 0; a checkpoint is valid for one mesh only
+/// \param steps  load steps up to the solution
 void writeCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                      const Solution& solution, const PathState& steps = {});
 
-/// Reads one for this rank's subdomains, with the status of all pairs. Collective.
-/// \param steps  gets, if given, the load steps of the run that wrote it; empty if there were none
-/// \throws InputError  no checkpoint, damaged, or one of another mesh
+/// Reads a checkpoint for this rank's subdomains, with the status of all pairs. Collective.
+/// \param steps  if not null, receives the load steps of the run that wrote it; empty if there were none
+/// \throws InputError  no checkpoint, damaged, or of another mesh
 Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                      PathState* steps = nullptr);
 

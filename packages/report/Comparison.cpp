@@ -19,7 +19,7 @@ namespace suture {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-/// Part of the largest force times the largest displacement by which rounding may move an energy that is a difference of larger ones.
+/// Round-off of an energy that is a difference of larger ones, as a fraction of the largest force times the largest displacement.
 constexpr double kEnergyRounding = 1e-12;
 
 double numberOf(const Json& value) { return value.is_number() ? value.get<double>() : kUnknown; }
@@ -36,16 +36,16 @@ double normOf(const std::vector<double>& vector) {
   return std::sqrt(sum);
 }
 
-/// The larger of what is known.
+/// The larger of the two that is not NaN.
 double larger(double a, double b) { return std::isnan(a) ? b : std::isnan(b) ? a : std::max(a, b); }
 
-/// Outer Solver/Tolerance: a number, in files a word or a number; NaN where it is automatic.
+/// Outer Solver/Tolerance: in files a number or a word; NaN for an automatic tolerance.
 double askedTolerance(const Json& run) {
   const Json value = run.at("parameters").value("Outer Solver", Json::object()).value("Tolerance", Json());
   return value.is_string() ? parseReal(value.get<std::string>()).value_or(kUnknown) : numberOf(value);
 }
 
-/// Figures of a summary that are scales of others.
+/// Figures of a summary that scale differences of other figures.
 struct SummaryScales {
   double force = 0.0, displacement = 0.0, gap = 0.0, stress = 0.0, tolerance = 0.0;
 
@@ -78,12 +78,12 @@ class FigureList {
  public:
   FigureList(const Json& then, const Json& now) : then_(then), now_(now) {}
 
-  /// Equal, or another answer.
+  /// Adds a figure that must be equal in both runs.
   void same(const std::string& name, const char* key) {
     const bool equal = then_.at(key) == now_.at(key);
     all.push_back({name, then_.at(key).dump(), now_.at(key).dump(), equal ? 0.0 : std::numeric_limits<double>::infinity(), 0.0, true});
   }
-  /// A count, which may differ by `allowed`; -1: by any number.
+  /// Adds a count, which may differ by `allowed`; -1: without limit.
   void count(const std::string& name, const Json& then, const Json& now, double allowed) {
     all.push_back({name, then.dump(), now.dump(), std::abs(numberOf(now) - numberOf(then)), allowed, allowed >= 0.0});
   }
@@ -204,9 +204,8 @@ std::string tableOf(const Comparison& comparison) {
   }
   if (!comparison.agrees()) return text + "does not agree: " + failureOf(comparison) + "\n";
   if (comparison.isExact()) return text + format("agrees: all %zu figures to the last bit\n", comparison.figures.size());
-  text += format("agrees: all %zu figures that are judged", judged);
-  if (nearest)
-    text += format(", nearest to what is allowed: %s %.1e of %.1e", nearest->name.c_str(), nearest->difference, nearest->allowed);
+  text += format("agrees: all %zu judged figures", judged);
+  if (nearest) text += format(", closest to its limit: %s %.1e of %.1e", nearest->name.c_str(), nearest->difference, nearest->allowed);
   return text + "\n";
 }
 

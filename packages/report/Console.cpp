@@ -58,26 +58,26 @@ std::string verdict(const RunMonitor& monitor, const Verification& verification)
   return line + "\n";
 }
 
-// "   error of the mesh about 4 % in the energy norm, from averaged stresses"
+// "   mesh error about 4 % in the energy norm, from averaged stresses"
 std::string meshError(const Solution& answer) {
   if (answer.discretisation || answer.meshError.value_or(0.0) == 0.0) return "";
   const double share = 100 * *answer.meshError;
-  return format(share < 10 ? "   error of the mesh about %.2g %% in the energy norm, from averaged stresses\n"
-                           : "   error of the mesh about %.0f %% in the energy norm, from averaged stresses\n",
+  return format(share < 10 ? "   mesh error about %.2g %% in the energy norm, from averaged stresses\n"
+                           : "   mesh error about %.0f %% in the energy norm, from averaged stresses\n",
                 share);
 }
 
-// "   path: 12 load steps to t = 2; work of the loads 1.2e-03, stored 1.0e-03, of friction 2e-04 N m; error of the steps' length 0.4 %"
+// "   path: 12 load steps to t = 2; work of the loads 1.2e-03, stored 1.0e-03, by friction 2e-04 N m; step size error 0.4 %"
 std::string pathWork(const Run& run) {
   if (run.steps.empty()) return "";
   const StepRow& last = run.steps.back();
   const Units units = unitsOf(*run.scene.parameters);
-  return format("   path: %s to t = %g; work of the loads %.3e, stored %.3e, of friction %.3e %s %s; error of the steps' length %.2g %%\n",
+  return format("   path: %s to t = %g; work of the loads %.3e, stored %.3e, by friction %.3e %s %s; step size error %.2g %%\n",
                 counted(last.step, "load step").c_str(), last.time, last.work.external, last.work.stored, last.work.dissipated,
                 units.force.c_str(), units.length.c_str(), 100 * last.work.stepError());
 }
 
-// "errors: displacement L2 1.234e-05 (0.012 %), energy norm ...": against the exact solution, where the scene has one.
+// "errors: displacement L2 1.234e-05 (0.012 %), energy norm ...": against the exact solution, if the scene has one.
 std::string exactErrors(const std::map<std::string, double>& errors) {
   std::string line;
   for (const auto& [key, name] : {std::pair<const char*, const char*>{"displacement_l2", "displacement L2"},
@@ -104,12 +104,12 @@ std::string estimatedErrors(const Solution& answer) {
   return line + "\n";
 }
 
-// A run that was stopped needs time; what is not determined has an advice of its own.
+// True if no advice is needed: a stopped run only needs more time, and undetermined motions have their own advice.
 bool isAnswered(const Solution& answer) {
   return answer.stopped || !answer.undetermined.empty() || (answer.converged && answer.verification.holds());
 }
 
-/// What to try for a run without an answer that holds: not the solver that it had, and none where it is known that there is no equilibrium.
+/// Suggestions for a run without a valid solution; excludes the present solver, and all solvers if there is no equilibrium.
 std::string whatToTry(const Run& run) {
   std::string text;
   const Solution& answer = run.solution;
@@ -118,11 +118,11 @@ std::string whatToTry(const Run& run) {
       std::any_of(answer.pairs.begin(), answer.pairs.end(), [](const PairResult& pair) { return pair.kind.restrictsSliding; });
   if (!refused && run.scene.parameters->sublist("Outer Solver").get<std::string>("Type") != "Monolithic")
     text +=
-        "   to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor iterations, tells whether the scene is at "
+        "   to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor iterations, shows whether the scene is at "
         "fault\n";
   const bool inSteps = !run.steps.empty() || answer.failure.rfind("load step", 0) == 0;
   if (!answer.converged && !refused && rubs && !inSteps)
-    text += "   to try: Load Steps, so that each step begins near its solution: friction depends on the path of the loads\n";
+    text += "   to try: Load Steps: with friction the solution depends on the load path, and each step starts close to its solution\n";
   return text + advice("   ");
 }
 
@@ -137,7 +137,7 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
 }
 
 std::string advice(const std::string& indent) {
-  return indent + "scene.png of suture_plot shows what is held and what touches; doc/convergence.md goes through the causes\n";
+  return indent + "scene.png of suture_plot shows supports and contacts; doc/convergence.md lists the causes\n";
 }
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
@@ -145,7 +145,7 @@ void printFooter(std::ostream& console, const Run& run, const RunFigures& figure
           << verdict(run.monitor, run.solution.verification) << meshError(run.solution) << (isAnswered(run.solution) ? "" : whatToTry(run))
           << pathWork(run) << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
-  console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);
+  console << format("   total %.2f s   peak %.0f MB per rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;
   if (folder.empty() || folder.back() != '/') folder += '/';
   console << "   " << folder;

@@ -8,10 +8,10 @@ namespace suture {
 /// First line of the console: version, title, ranks, sizes. Local; rank 0's stream.
 void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene, const ProblemSize& size);
 
-/// Last lines of the console: converged or why not, contact figures, phases, memory, files. Local; rank 0's stream.
+/// Last lines of the console: whether and why not converged, contact figures, phases, memory, files. Local; rank 0's stream.
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures);
 
-/// Advice for a run without an answer that holds: lines that begin with `indent`.
+/// Advice for a run without a valid solution; each line begins with `indent`.
 std::string advice(const std::string& indent);
 
 }  // namespace suture

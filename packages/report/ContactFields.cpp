@@ -13,10 +13,10 @@
 namespace suture {
 namespace {
 
-/// Pairs and points on the axis as they are drawn: each point beside the pair that it follows from.
+/// Pairs and points on the axis as plotted; each point on the axis is next to the pair from which it is computed.
 struct Drawn {
   std::vector<PairResult> points;
-  std::vector<std::vector<GlobalId>> cells;  ///< places in `points`
+  std::vector<std::vector<GlobalId>> cells;  ///< indices into `points`
 };
 
 Drawn drawn(const std::vector<ContactPiece>& pieces, const Solution& solution) {
@@ -51,7 +51,7 @@ Drawn drawn(const std::vector<ContactPiece>& pieces, const Solution& solution) {
         inCell[std::size_t(placeOf[std::size_t(id)])] = 1;
       }
     }
-  // A pair alone would be in no cell and vanish from the picture.
+  // Isolated pairs need a cell, otherwise they would not be visible.
   for (std::size_t at = 0; at < all.points.size(); ++at)
     if (!inCell[at]) all.cells.push_back({GlobalId(at)});
   std::sort(all.cells.begin(), all.cells.end());
@@ -83,7 +83,7 @@ std::vector<double> vectors(const std::vector<PairResult>& pairs, Point PairResu
   return values;
 }
 
-/// A vector of each pair over its tributary size.
+/// A vector of each pair divided by its tributary size.
 std::vector<double> overSize(const std::vector<PairResult>& pairs, Point PairResult::*member) {
   std::vector<double> values = vectors(pairs, member);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = pairs[i / 3].length > 0.0 ? values[i] / pairs[i / 3].length : 0.0;
@@ -98,11 +98,11 @@ void writeFriction(const std::vector<PairResult>& pairs, const Units& units, con
   file.pointData({"TangentialTraction", 3, units.stress, "tangential " + area + "; on side B, along the axes"},
                  overSize(pairs, &PairResult::tangential));
   file.pointData(
-      {"FrictionBound", 1, units.stress, "largest tangential " + area + " that the law allows; 0 where open, glued or without bound"},
+      {"FrictionBound", 1, units.stress, "largest tangential " + area + " that the law allows; 0 where open, glued or unbounded"},
       overSize(pairs, &PairResult::bound));
-  file.pointData({"Slip", 3, units.length, "displacement of side A less that of side B along the sides, in the step; along the axes"},
+  file.pointData({"Slip", 3, units.length, "displacement of side A minus that of side B along the sides, in the step; along the axes"},
                  vectors(pairs, &PairResult::slip));
-  file.pointData({"Stick", 1, "", "1 sticks, 0 slips, -1 open; 0 of closed pairs without friction"},
+  file.pointData({"Stick", 1, "", "1 sticks, 0 slips, -1 open; 0 for closed pairs without friction"},
                  column<int>(pairs, [](const PairResult& pair) {
                    return pair.state.status == PairStatus::Stick ? 1 : pair.state.closed() ? 0 : -1;
                  }));
@@ -144,7 +144,7 @@ void writeContactFields(const Run& run, const std::string& path) {
   reals("ContactForce", units.force, circle + "; compression positive", &Pair::force);
   reals("ArcLength", units.length, "along the side that carries the pairs (A, unless a mortar chose B), from its first node", &Pair::arc);
   file.pointData({"Active", 1, "", "1 closed, 0 open"}, column<unsigned char>(pairs, [](const Pair& pair) { return pair.state.closed(); }));
-  file.pointData({"Touching", 1, "", "1 without a gap and without force, else 0"},
+  file.pointData({"Touching", 1, "", "1 if the gap is zero without force, else 0"},
                  column<unsigned char>(pairs, [](const Pair& pair) { return pair.touching; }));
   file.pointData({"Displacement", 3, units.length, "of the node that carries the pair; x, y, z; along the axes"},
                  vectors(pairs, &Pair::displacement));
@@ -152,7 +152,7 @@ void writeContactFields(const Run& run, const std::string& path) {
   std::vector<char> rubs(1, hasFriction(pairs));
   broadcast(run.comm, rubs);
   if (rubs.front()) writeFriction(pairs, units, area, file);
-  integers("Pair", "number of the pair, from 0; -1 of a point on the axis, which follows from the pairs beside it", &Pair::id);
+  integers("Pair", "number of the pair, from 0; -1 for a point on the axis, computed from the adjacent pairs", &Pair::id);
   integers("Line", "number of the contact line in the scene, from 0", &Pair::line);
   integers("Piece", "number of the contact piece, from 0; names in /Record/ContactPieces", &Pair::piece);
   writeProvenance(run, file.file());

@@ -13,9 +13,9 @@
 namespace suture {
 namespace {
 
-constexpr int kPieceElements = 4096;  // work space of a megabyte, which stays in the cache from one piece to the next
+constexpr int kPieceElements = 4096;  // work space of a megabyte, stays in the cache between pieces
 
-// Subdomains one after the other, and all that is written of them.
+// Consecutive subdomains and the values to be written for them.
 struct Piece {
   GridPiece grid;
   std::vector<double> displacement, nodalStress, nodalPrincipal, nodalVonMises;
@@ -25,7 +25,7 @@ struct Piece {
   std::vector<GlobalId> elementId;
 
   bool isFull() const { return grid.types.size() >= kPieceElements; }
-  // Keeps the memory.
+  // Keeps the allocated memory.
   void clear() {
     for (auto* values : {&grid.points, &displacement, &nodalStress, &nodalPrincipal, &nodalVonMises, &stress, &principal, &firstDirection,
                          &lastDirection, &vonMises, &young, &error})
@@ -36,7 +36,7 @@ struct Piece {
   }
 };
 
-// Numbers of this rank's points: a node that an earlier subdomain of the rank has brought is not repeated.
+// Numbers of this rank's points; a node already added by an earlier subdomain of the rank is not repeated.
 class PointNumbers {
  public:
   explicit PointNumbers(const std::vector<SubdomainMesh>& subdomains) {
@@ -47,7 +47,7 @@ class PointNumbers {
       if (other < mesh.id && here_.count(other)) return false;
     return true;
   }
-  // Appends the nodes of the next subdomain.
+  // Adds the nodes of the next subdomain.
   const std::vector<GlobalId>& of(const SubdomainMesh& mesh) {
     numbers_.clear();
     for (int n = 0; n < mesh.nodes(); ++n) {
@@ -61,7 +61,7 @@ class PointNumbers {
 
  private:
   std::set<int> here_;
-  std::unordered_map<GlobalId, GlobalId> ofSeam_;  // points of nodes that other subdomains have, too
+  std::unordered_map<GlobalId, GlobalId> ofSeam_;  // points of nodes shared with other subdomains
   std::vector<GlobalId> numbers_;
   GlobalId next_ = 0;
 };
@@ -88,12 +88,12 @@ void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vect
 
 void append(std::vector<double>& values, std::initializer_list<double> more) { values.insert(values.end(), more); }
 
-/// A row of elementStresses() as the file has it: XX YY ZZ XY YZ XZ.
+/// Appends a row of elementStresses() in file order: XX YY ZZ XY YZ XZ.
 void appendTensor(const Matrix& stresses, Eigen::Index row, std::vector<double>& values) {
   for (Eigen::Index k = 0; k < 6; ++k) values.push_back(k < stresses.cols() ? stresses(row, k) : 0.0);
 }
 
-/// \param stresses  of the nodes, rows as elementStresses()
+/// \param stresses  at the nodes, rows as in elementStresses()
 void addNodalStresses(const SubdomainMesh& mesh, const PointNumbers& numbers, const Matrix& stresses, Piece& all) {
   const Matrix principal = principalStresses(stresses);
   const Vector mises = vonMises(stresses);
@@ -113,7 +113,7 @@ void addNodalStresses(const SubdomainMesh& mesh, const PointNumbers& numbers, co
 void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Piece& all) {
   for (int e = 0; e < mesh.elements(); ++e) {
     const Span<const int> nodes = mesh.nodesOf(e);
-    if (mesh.cells[std::size_t(e)] == Cell::Wedge6)  // VTK sees the base from outside
+    if (mesh.cells[std::size_t(e)] == Cell::Wedge6)  // VTK orients the base outwards
       for (const int k : {0, 2, 1, 3, 5, 4}) all.grid.connectivity.push_back(number[std::size_t(nodes[std::size_t(k)])]);
     else
       for (const int n : nodes) all.grid.connectivity.push_back(number[std::size_t(n)]);
@@ -137,7 +137,7 @@ void addMaterials(const SubdomainMesh& mesh, const ElasticModel& model, const st
   }
 }
 
-/// \param own  stresses of the subdomain's own physics, or null
+/// \param own  stresses of a user-defined subdomain, or null
 void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, const Matrix* own, Piece& all) {
   const Matrix stress = own ? *own : elementStresses(mesh, model, u);
   const Matrix principal = principalStresses(stress);
@@ -171,12 +171,12 @@ std::string principalMeaning(const ElasticModel& model) {
 
 bool isInSpace(const Run& run) { return run.model.dimension == 3; }
 
-constexpr const char* kRecovered = "recovered from the elements; NaN in bodies with physics of their own";
+constexpr const char* kRecovered = "recovered from the elements; NaN in bodies with user-defined physics";
 
-/// True on all ranks if any has them. Collective.
+/// True on all ranks if any rank has them. Collective.
 bool hasNodalStresses(const Run& run) { return unionOverRanks(run.comm, {int(!run.solution.nodalStresses.empty())}).back() > 0; }
 
-// The arrays of the file, open for the next piece.
+// The arrays of the file, open for appending.
 class FieldRows {
  public:
   FieldRows(const Run& run, VtkHdf& file)

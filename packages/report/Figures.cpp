@@ -83,12 +83,12 @@ std::vector<std::string> meshNotes(const Solution& solution) {
   if (error <= kCoarse) return {};
   return {
       format("warning: the mesh is coarse: its estimated error is %.0f %% in the energy norm. Displacements, and contact forces that "
-             "depend on bending, may be wrong by as much or more. Finer elements, second order, or quadrilaterals and hexahedra in "
-             "place of 3-node triangles and 4-node tetrahedra reduce it",
+             "depend on bending, may have errors of this size or larger. Refine the mesh, or use second-order elements, or "
+             "quadrilaterals and hexahedra instead of 3-node triangles and 4-node tetrahedra",
              100 * error)};
 }
 
-/// Share of the largest pressure above which an oscillation is said: triangles that are fine enough leave less.
+/// Fraction of the largest pressure above which an oscillation is reported; sufficiently fine triangles stay below.
 constexpr double kSeenOscillation = 0.03;
 
 std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution) {
@@ -96,7 +96,7 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
   collectivelyOnRoot(comm, "estimating contact pressures", [&] {
     const ContactFigures figures = contactFigures(solution, int(pieces.size()));
     const std::vector<double> oscillation = pressureOscillations(solution.pairs, pieces);
-    std::vector<double> magnitude(pieces.size(), 0.0);  // of glued contacts the largest may be a tension
+    std::vector<double> magnitude(pieces.size(), 0.0);  // the largest value of a glued contact may be a tension
     for (const PairResult& pair : solution.pairs)
       if (pair.piece >= 0 && pair.piece < int(pieces.size()))
         magnitude[pair.piece] = std::max(magnitude[pair.piece], std::abs(pair.pressure));
@@ -105,15 +105,16 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
         const double share = oscillation[p] / magnitude[p];
         said += format(
             "%scontact '%s': pressures alternate from node to node by %.0f %% of the largest: the mesh does not resolve them. "
-            "Finer elements, quadrilaterals or second order reduce it\n",
+            "Refine the mesh, or use quadrilaterals or second-order elements\n",
             share > 0.1 ? "warning: " : "", pieces[p].name.c_str(), 100 * share);
       }
       const double error = pressureError(pieces[p], figures.pressureOf[p]);
       if (error < 0.01) continue;
       const bool large = error > 0.1;
-      said += format("%scontact '%s': estimated error of nodal pressures %.0f %% of the largest, by straight elements on curved sides%s\n",
-                     large ? "warning: " : "", pieces[p].name.c_str(), 100 * error,
-                     large ? ". Finer elements there, second order, or Geometry = Automatic with accurate coordinates reduce it" : "");
+      said +=
+          format("%scontact '%s': estimated error of nodal pressures %.0f %% of the largest, due to straight elements on curved sides%s\n",
+                 large ? "warning: " : "", pieces[p].name.c_str(), 100 * error,
+                 large ? ". Refine them, or use second-order elements, or Geometry = Automatic with accurate coordinates" : "");
     }
   });
   std::istringstream lines(broadcast(comm, said));
@@ -125,9 +126,9 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
 namespace {
 
 constexpr double kLarge = 0.1;     // strain or rotation
-constexpr int kLong = 10;          // least number of pairs of a piece that could resolve a pressure
-constexpr int kFew = 4;            // number of closed pairs side by side from which on they resolve it roughly
-constexpr double kCarries = 1e-3;  // part of the largest pressure that is more than rounding
+constexpr int kLong = 10;          // pairs of a piece that are enough to resolve a pressure
+constexpr int kFew = 4;            // adjacent closed pairs that resolve it roughly
+constexpr double kCarries = 1e-3;  // fraction of the largest pressure that is above round-off
 
 double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {
   double squared = 0.0, all = 0.0;
@@ -173,18 +174,20 @@ std::string patchNotes(const std::vector<ContactPiece>& pieces, const std::vecto
     const int size = int(patch.size()), all = int(piece.pairs.size());
     if (size >= kFew) continue;
     if (size == active)
-      said += format("contact '%s': %d of %d pairs closed: the mesh does not resolve the pressure; forces are right, pressures are not\n",
-                     piece.name.c_str(), size, all);
+      said +=
+          format("contact '%s': %d of %d pairs closed: the mesh does not resolve the pressure; forces are reliable, pressures are not\n",
+                 piece.name.c_str(), size, all);
     else
       said += format(
-          "contact '%s': its largest pressure is on %d of %d pairs, at %s: the mesh does not resolve it; forces are right, pressures are "
+          "contact '%s': its largest pressure is on %d of %d pairs, at %s: the mesh does not resolve it; forces are reliable, pressures "
+          "are "
           "not\n",
           piece.name.c_str(), size, all, placeText(most->position).c_str());
   }
   return said;
 }
 
-/// A warning for each piece that carries a force up to an end where the bodies may touch beyond.
+/// A warning for each piece that carries a force up to an end beyond which the bodies may touch.
 std::string openEndNotes(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs) {
   std::map<int, const PairResult*> byId;
   for (const PairResult& pair : pairs) byId[pair.id] = &pair;
@@ -196,8 +199,8 @@ std::string openEndNotes(const std::vector<ContactPiece>& pieces, const std::vec
       if (const auto at = byId.find(id);
           at != byId.end() && at->second->kind.separates && at->second->state.closed() && at->second->pressure > kCarries * largest) {
         said += format(
-            "warning: contact '%s' is closed up to its end at %s, where the boundary goes on smoothly: the bodies may "
-            "touch beyond, where the scene has no contact. Let its sides reach further\n",
+            "warning: contact '%s' is closed up to its end at %s, but the boundary continues smoothly: the bodies may "
+            "touch beyond it, where the scene has no contact. Extend its sides\n",
             piece.name.c_str(), placeText(at->second->position).c_str());
         break;
       }
@@ -205,7 +208,7 @@ std::string openEndNotes(const std::vector<ContactPiece>& pieces, const std::vec
   return said;
 }
 
-/// A warning for each piece between bodies of which each pair has slid farther than the piece is long.
+/// A warning for each piece between deformable bodies whose pairs have all slid farther than the piece is long.
 std::string slidOffNotes(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs) {
   struct Slide {
     BoundingBox box;
@@ -225,8 +228,8 @@ std::string slidOffNotes(const std::vector<ContactPiece>& pieces, const std::vec
     const double length = norm(minus(slides[p].box.high, slides[p].box.low));
     if (slides[p].isRigid || !std::isfinite(slides[p].least) || !(length > 0.0) || slides[p].least < length) continue;
     said += format(
-        "warning: contact '%s': its sides have slid off each other: by %.3g or more, and the contact is %.3g long. Pairs keep the partners "
-        "that face them in the mesh\n",
+        "warning: contact '%s': its sides have slid off each other: all pairs slid %.3g or more, but the contact is only %.3g long. "
+        "Pairs keep their partners from the undeformed mesh\n",
         pieces[p].name.c_str(), slides[p].least, length);
   }
   return said;
@@ -246,9 +249,9 @@ std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<S
   if (most.rotation.value > kLarge)
     large += (large.empty() ? "" : ", ") + format("rotations reach %.2g rad", most.rotation.value) + at(most.rotation);
   if (!large.empty())
-    notes.push_back(large + ": small strains and rotations are assumed, and contact is searched for where the bodies were drawn");
+    notes.push_back(large + ": Suture assumes small strains and rotations, and contact pairs are those of the undeformed bodies");
   std::string said;
-  collectivelyOnRoot(comm, "looking at the contacts", [&] {
+  collectivelyOnRoot(comm, "examining the contacts", [&] {
     said = patchNotes(pieces, solution.pairs) + openEndNotes(pieces, solution.pairs) + slidOffNotes(pieces, solution.pairs);
   });
   std::istringstream lines(broadcast(comm, said));

@@ -6,9 +6,9 @@
 
 namespace suture {
 
-/// history.csv: a header line, then a row an outer iteration (none for a linear scene): the members of OuterRow by their names,
-/// load_step in a scene with load steps alone.
-/// Numbers are written so that reading gives the same double. Local.
+/// history.csv: a header line, then one row per outer iteration (none for a linear scene). Columns are the members of OuterRow;
+/// load_step only in a scene with load steps.
+/// Numbers are written with enough digits to recover the same double. Local.
 /// \throws EnvironmentError
 void writeHistory(const std::vector<OuterRow>& rows, const std::string& path);
 

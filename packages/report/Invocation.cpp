@@ -14,7 +14,7 @@ namespace suture {
 std::string bytesOfFile(const std::string& path, const std::string& expected) {
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
-    throw InputError(path, "is no regular file; expected " + expected);
+    throw InputError(path, "is not a regular file; expected " + expected);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;

@@ -4,27 +4,27 @@
 
 namespace suture {
 
-/// A file that a run used beside its scene.
+/// A file used by a run in addition to its scene.
 struct UsedFile {
   std::string path;  ///< absolute; empty: none
-  std::string hash;  ///< hexadecimal, of its bytes
+  std::string hash;  ///< of its bytes, hexadecimal
 };
 
-/// How a run was started, beside its scene file and the assignments in it.
+/// How a run was started, in addition to its scene file and overrides.
 struct Invocation {
   std::vector<std::string> commandLine{};
   std::vector<UsedFile> plugins{};
-  UsedFile restart{};  ///< checkpoint that it went on from
+  UsedFile restart{};  ///< checkpoint from which the run continued
   bool strict = false;
 };
 
-/// Hexadecimal hash of bytes (FNV-1a, 64 bits): tells whether a file has changed, and withstands no forger. Local.
+/// Hexadecimal hash of bytes (FNV-1a, 64 bits), to detect changes of a file; not cryptographic. Local.
 std::string hashOf(const std::string& bytes);
 
-/// Bytes of a file. Local. \param expected  for the message of what is no file  \throws InputError  it cannot be read
+/// Bytes of a file. Local. \param expected  for the message if it is not a file  \throws InputError  it cannot be read
 std::string bytesOfFile(const std::string& path, const std::string& expected);
 
-/// A path that means the same in any folder. Local.
+/// The absolute path, valid in any working folder. Local.
 std::string absolutePath(const std::string& path);
 
 /// A file with the hash of its bytes. Local. \throws InputError  it cannot be read

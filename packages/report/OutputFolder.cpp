@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 namespace suture {
 namespace {
 
-// Two runs into one folder must not write into one temporary file.
+// Unique per process, so that two runs into one folder never write the same temporary file.
 std::string temporaryName(const std::string& path) { return path + ".part" + std::to_string(::getpid()); }
 
-/// True for a temporary name of a file that runs write into their folder themselves; results are staged in a folder of their own.
+/// True for the temporary name of a file that runs write directly into their folder; other results are staged in a separate folder.
 bool isTemporary(const std::string& name) {
   const std::size_t end = name.rfind(".part");
   if (end == std::string::npos || name.find_first_not_of("0123456789", end + 5) != std::string::npos) return false;
@@ -29,7 +29,7 @@ bool isTemporary(const std::string& name) {
   return own == "checkpoint.h5" || own == "summary.json" || own == "history.csv" || own == "writable";
 }
 
-/// Removes files of runs that were killed while they wrote. Only with the folder's lock, when no other run lives.
+/// Removes temporary files of killed runs. Requires the folder's lock, such that no other run is active.
 void removeTemporaries(const std::string& folder) {
   std::error_code ignored;
   std::vector<fs::path> left;
@@ -45,10 +45,10 @@ void prepareFolder(const Comm& comm, const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder)) {
-      const std::string why = error ? error.message() : "a file of that name is in the way";
-      throw EnvironmentError("the output folder '" + folder + "' cannot be made: " + why);
+      const std::string why = error ? error.message() : "a file with this name exists";
+      throw EnvironmentError("the output folder '" + folder + "' cannot be created: " + why);
     }
-    // Asking for permissions is not enough: a full or read-only disk shows itself only when something is written.
+    // Checking permissions is not enough: a full or read-only disk fails only when something is written.
     const std::string probe = temporaryName((fs::path(folder) / "writable").string());
     errno = 0;
     std::ofstream file(probe);
@@ -71,12 +71,12 @@ FolderLock::FolderLock(const Comm& comm, const std::string& folder) : path_((fs:
         char owner[200] = "";
         const ssize_t length = ::pread(file, owner, sizeof owner - 1, 0);
         ::close(file);
-        if (why != EWOULDBLOCK) return;  // a file system without locks
-        throw EnvironmentError("another run writes into the output folder '" + folder + "'" +
+        if (why != EWOULDBLOCK) return;  // the file system has no locks
+        throw EnvironmentError("another run is writing into the output folder '" + folder + "'" +
                                (length > 0 ? " (" + std::string(owner, static_cast<std::size_t>(length)) + ")" : "") +
-                               "; wait for its end, or choose another folder with --output");
+                               "; wait until it ends, or choose another folder with --output");
       }
-      // The run before may have removed the file between its opening and its locking here.
+      // The previous run may have removed the file after it was opened and before it was locked here.
       struct stat locked {
       }, there{};
       mine = ::fstat(file, &locked) == 0 && ::stat(path_.c_str(), &there) == 0 && locked.st_ino == there.st_ino;
@@ -87,7 +87,7 @@ FolderLock::FolderLock(const Comm& comm, const std::string& folder) : path_((fs:
       char host[100] = "";
       ::gethostname(host, sizeof host - 1);
       const std::string owner = "process " + std::to_string(::getpid()) + " on " + host;
-      if (::ftruncate(file, 0) != 0 || ::pwrite(file, owner.data(), owner.size(), 0) < 0) {  // a name for messages only
+      if (::ftruncate(file, 0) != 0 || ::pwrite(file, owner.data(), owner.size(), 0) < 0) {  // only for messages
       }
       file_ = file;
     }

@@ -5,12 +5,12 @@
 
 namespace suture {
 
-/// Makes the output folder and checks that it can be written, before any work is done. Collective.
+/// Creates the output folder and checks that it is writable, before any work is done. Collective.
 /// \throws EnvironmentError  names the folder and the system's reason
 void prepareFolder(const Comm& comm, const std::string& folder);
 
-/// Keeps other runs out of a folder while it lives. The lock is the system's (flock on the file .suture.lock, held by rank 0): it goes with
-/// the process, however that ends, so that no stale one is left.
+/// Locks a folder against other runs during its lifetime. Uses a lock of the operating system (flock on the file .suture.lock, held by
+/// rank 0), which ends with the process: stale locks cannot occur.
 class FolderLock {
  public:
   /// Collective. \throws EnvironmentError  another run writes into the folder: names its process and machine
@@ -24,9 +24,9 @@ class FolderLock {
   int file_ = -1;  ///< on rank 0
 };
 
-/// The folder of one run, prepared and locked. The files of an earlier run stay until the new results are complete; only its summary.json
-/// is renamed to summary.previous.json at once: if this run fails, the earlier summary is not taken for its own. Temporary files of runs
-/// that were killed while they wrote are removed.
+/// The prepared and locked folder of one run. Files of an earlier run stay until the new results are complete, except its summary.json,
+/// which is renamed to summary.previous.json at once so that it is not mistaken for the summary of this run if this run fails. Removes
+/// temporary files of killed runs.
 class RunFolder {
  public:
   /// Collective. \throws EnvironmentError
@@ -36,7 +36,7 @@ class RunFolder {
   FolderLock lock_;
 };
 
-/// Writes a text file under a temporary name in the same folder and renames it, so that a reader never sees half of it. Local.
+/// Writes a text file under a temporary name in the same folder and renames it, so that readers never see an incomplete file. Local.
 /// \throws EnvironmentError
 void writeTextFile(const std::string& path, const std::string& text);
 

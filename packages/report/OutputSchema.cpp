@@ -6,32 +6,34 @@
 namespace suture {
 
 Schema outputSchema() {
-  return Schema("Files that a run writes.")
-      .text("Folder", "", "Output folder, made if missing, relative to the current folder. Empty: the name of the scene file with '_out'.")
+  return Schema("Files written by a run.")
+      .text("Folder", "",
+            "Output folder, relative to the current folder; created if missing. Empty: the name of the scene file with '_out'.")
       .boolean("Fields", true,
                "Write the fields (fields_0000.vtkhdf, contact_0000.vtkhdf); history.csv and summary.json are always written.")
       .boolean("Error Estimate", false,
-               "Estimate the discretisation error in the energy norm from recovered stresses, element by element (field ErrorEstimate; "
-               "summary, console). An automatic tolerance does so anyway.")
+               "Estimate the discretisation error in the energy norm from recovered stresses, per element (field ErrorEstimate, "
+               "summary, console). Implied by an automatic tolerance.")
       .boolean("Mesh Error", true,
-               "Where no other estimate is made: estimate the discretisation error from averaged stresses, rougher and cheaper (summary, "
-               "console); a warning above 25 %.")
-      .boolean("Nodal Stresses", false,
-               "Recover the stresses at the nodes from those inside the elements (a tenth of the time of a large linear scene): fields "
-               "NodalStress, NodalVonMises and NodalPrincipalStress, and the extremes of summary and console, which on boundaries are "
-               "larger than those at the elements' centroids.")
-      .boolean("Tables", true, "Write contact.csv, a row a pair, and reactions.csv, a row a condition and contact.")
-      .boolean("Checkpoint", false,
-               "Write checkpoint.h5 of a run that converged, too: the next load step starts from it (--restart). One that did not always "
-               "leaves it.")
+               "If there is no other estimate: estimate the discretisation error from averaged stresses, a rougher and cheaper method "
+               "(summary, console). Warns above 25 %.")
+      .boolean(
+          "Nodal Stresses", false,
+          "Recover the stresses at the nodes from those inside the elements (takes a tenth of the time of a large linear scene): fields "
+          "NodalStress, NodalVonMises and NodalPrincipalStress, and the extremes in summary and console. On boundaries they are "
+          "larger than the stresses at element centroids.")
+      .boolean("Tables", true, "Write contact.csv, one row per pair, and reactions.csv, one row per condition and contact.")
+      .boolean(
+          "Checkpoint", false,
+          "Write checkpoint.h5 also for a run that converged, so that the next load step can start from it (--restart). A run that did "
+          "not converge always writes it.")
       .real("Checkpoint Every", 0.0,
-            "Minutes after which an outer iteration that has ended writes checkpoint.h5, so that a run that is killed loses at most that "
-            "(and the iteration in hand); removed at the end of a run that converged. 0: never.",
+            "Interval in minutes: the first outer iteration that ends after it writes checkpoint.h5, so that a killed run loses at most "
+            "this time and the current iteration. Removed at the end of a run that converged. 0: never.",
             Range::atLeast(0), "min")
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
-                    "How many times suture_plot enlarges the displacements; Automatic: to about a twentieth of the scene's size.")
-      .list("Probes",
-            Schema("Tables of values at points, along lines and along groups, named by the user.").each("<probe>", probeSchema()));
+                    "Factor by which suture_plot enlarges the displacements; Automatic: to about a twentieth of the model size.")
+      .list("Probes", Schema("Tables of values at points, along lines and on groups, named by the user.").each("<probe>", probeSchema()));
 }
 
 std::string outputFolder(const SceneFile& scene) {

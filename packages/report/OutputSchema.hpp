@@ -9,7 +9,7 @@ namespace suture {
 /// The scene's list `Output`.
 Schema outputSchema();
 
-/// Folder that a run writes to: `Output/Folder`, or the name of the scene file with "_out" in the current folder. Local.
+/// Output folder of a run: `Output/Folder`, or the name of the scene file with "_out" in the current folder. Local.
 std::string outputFolder(const SceneFile& scene);
 
 }  // namespace suture

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Resolved parameters as nested JSON, names and order as in the scene; arrays become arrays. Local.
-/// \throws InternalError  for a value of a type that no schema has
+/// Resolved parameters as nested JSON, with names and order of the scene; arrays become arrays. Local.
+/// \throws InternalError  a value has a type that no schema allows
 nlohmann::ordered_json toJson(const Parameters& parameters);
 
 }  // namespace suture

@@ -15,7 +15,7 @@ namespace {
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) {
-    // A value with blanks ("Outer Solver/Type=Chord") is quoted, so that the line can be given to a shell again.
+    // Quote values with blanks ("Outer Solver/Type=Chord"), such that the line can be pasted into a shell.
     const bool quote = word.empty() || word.find_first_of(" \t\"'$*?()<>|&;\\") != std::string::npos;
     std::string quoted = word;
     for (std::size_t at = 0; quote && (at = quoted.find('\'', at)) != std::string::npos; at += 4) quoted.replace(at, 1, "'\\''");
@@ -30,7 +30,7 @@ GlobalId seedOf(const Parameters& scene) {
   return metis.isType<int>("Seed") ? metis.get<int>("Seed") : 0;
 }
 
-// A name as one step of an HDF5 path.
+// A name as one component of an HDF5 path.
 std::string step(std::string name) {
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
@@ -79,7 +79,7 @@ std::vector<std::string> materialNames(const ElasticModel& model) {
 
 void writeNames(const Run& run, VtkHdf& vtk) {
   Hdf5File& file = vtk.file();
-  // Every rank knows its own subdomains only, and with them only some of the side groups.
+  // Each rank only knows its own subdomains, and therefore only some of the side groups.
   Packer mine;
   std::map<int, std::string> ownNames;
   std::vector<std::string> ownGroups;

@@ -4,17 +4,17 @@
 
 namespace suture {
 
-/// /Record: where a file comes from. Texts Input (the scene verbatim), InputPath, Resolved (XML), MeshHash, Version, Commit, Libraries
-/// (JSON: library -> version), CommandLine; attributes `ranks` and `seed` of the group. Nothing that differs between two equal runs.
+/// /Record: the origin of a file. Texts Input (the scene verbatim), InputPath, Resolved (XML), MeshHash, Version, Commit, Libraries
+/// (JSON: library -> version), CommandLine; attributes `ranks` and `seed` of the group. Equal runs write equal records.
 /// Collective.
 void writeProvenance(const Run& run, Hdf5File& file);
 
-/// Names of the materials of bodies and regions, each once: the numbers of the field Material are places among them. Local.
+/// Names of the materials of bodies and regions, without duplicates; the field Material contains indices into this list. Local.
 std::vector<std::string> materialNames(const ElasticModel& model);
 
-/// Names that pictures need: texts Bodies and Subdomains (JSON lists in the order of the numbers in the fields), and for each side group of
-/// the mesh a dataset `/Record/SideGroups/<name>`, a row a side: x, y, z of its first and of its second end point. As field data, which
-/// ParaView shows: BodyNames, MaterialNames, SubdomainNames, in the order of the numbers in the fields, and GroupNames. Collective.
+/// Names needed for plots: texts Bodies and Subdomains (JSON lists in the order of the numbers in the fields), and for each side group of
+/// the mesh a dataset `/Record/SideGroups/<name>`, one row per side: x, y, z of its first and second end point. As field data, shown by
+/// ParaView: BodyNames, MaterialNames, SubdomainNames, in the order of the numbers in the fields, and GroupNames. Collective.
 void writeNames(const Run& run, VtkHdf& file);
 
 }  // namespace suture

@@ -14,7 +14,7 @@
 namespace suture {
 namespace {
 
-/// \param choice  of the list `Output`, true by default
+/// \param choice  parameter of the list `Output`, true by default
 bool wants(const Parameters& scene, const char* choice) {
   return !scene.isSublist("Output") || !scene.sublist("Output").isType<bool>(choice) || scene.sublist("Output").get<bool>(choice);
 }
@@ -25,7 +25,7 @@ bool isProbe(const std::string& name) {
   return name.rfind("probe_", 0) == 0 && name.size() > 4 && name.compare(name.size() - 4, 4, ".csv") == 0;
 }
 
-/// A folder in the output folder for files that are not complete yet; whatever is in it at the end is removed. Collective but for its end.
+/// A folder in the output folder for incomplete files; its remaining content is removed at the end. Collective except its destructor.
 class Staging {
  public:
   Staging(const Comm& comm, const std::filesystem::path& folder) : isRoot_(comm.getRank() == 0), path_(folder / ".new") {
@@ -33,7 +33,7 @@ class Staging {
       std::error_code error;
       std::filesystem::remove_all(path_, error);
       std::filesystem::create_directory(path_, error);
-      if (error) throw EnvironmentError("cannot make the folder '" + path_.string() + "': " + error.message());
+      if (error) throw EnvironmentError("cannot create the folder '" + path_.string() + "': " + error.message());
     });
   }
   ~Staging() {
@@ -46,21 +46,21 @@ class Staging {
   std::string operator/(const char* name) const { return (path_ / name).string(); }
   const std::filesystem::path& path() const { return path_; }
 
-  /// Puts the new files in the place of those of an earlier run, summary.json last. On rank 0.
-  /// \param inSteps  fields of load steps are in place, and stay
+  /// Replaces the files of an earlier run by the new ones, summary.json last. On rank 0.
+  /// \param inSteps  fields of load steps are already in place and stay
   void moveTo(const std::filesystem::path& folder, bool inSteps) const {
     std::error_code error;
     std::filesystem::remove(folder / "summary.json", error);
     const auto move = [&](const std::string& name) {
       std::filesystem::rename(path_ / name, folder / name, error);
-      if (error) throw EnvironmentError("cannot put '" + (folder / name).string() + "' in place: " + error.message());
+      if (error) throw EnvironmentError("cannot move '" + (folder / name).string() + "' into place: " + error.message());
     };
     std::set<std::string> names{tables[0], tables[1], tables[2]};
     if (!inSteps) {
       names.insert({fieldFiles[0], fieldFiles[1]});
       removeStepFields(folder.string(), 0);
     }
-    for (const std::filesystem::path& place : {folder, path_})  // probes of this run, and of an earlier one
+    for (const std::filesystem::path& place : {folder, path_})  // probes of an earlier run and of this one
       for (const auto& entry : std::filesystem::directory_iterator(place, error))
         if (isProbe(entry.path().filename().string())) names.insert(entry.path().filename().string());
     for (const std::string& name : names) {
@@ -73,7 +73,7 @@ class Staging {
     move("summary.json");
     std::filesystem::remove(folder / "summary.previous.json", error);
   }
-  /// Takes the summary back: the run has failed after all.
+  /// Removes the summary after a late failure of the run.
   void withdraw(const std::filesystem::path& folder) const {
     std::error_code ignored;
     if (isRoot_) std::filesystem::remove(folder / "summary.json", ignored);
@@ -111,7 +111,7 @@ Written writeReport(const Run& run, ExitCode code) {
   Written written{{}, runFigures(run)};
   written.summary = writeSummary(run, written.figures, code, staging / "summary.json");
   try {
-    collectivelyOnRoot(run.comm, "putting the results in place", [&] { staging.moveTo(folder, !run.steps.empty()); });
+    collectivelyOnRoot(run.comm, "moving the results into place", [&] { staging.moveTo(folder, !run.steps.empty()); });
   } catch (...) {
     staging.withdraw(folder);
     throw;

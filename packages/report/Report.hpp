@@ -10,20 +10,19 @@ namespace suture {
 
 /// Results of writing a report, for the console.
 struct Written {
-  std::string summary;  ///< text of summary.json on rank 0, elsewhere nothing
+  std::string summary;  ///< text of summary.json on rank 0, empty on other ranks
   RunFigures figures;
 };
 
-/// True if the scene asks for fields. Local.
+/// True if the scene requests fields. Local.
 bool wantsFields(const Parameters& scene);
 
-/// fields_0000.vtkhdf (and contact_0000.vtkhdf with contact lines), history.csv, summary.json, and steps.csv
-/// of a scene with load steps, whose fields are in place already (writeStepFields). All of them are written into a folder `.new`
-/// first; only when all are complete do they replace those of an earlier run, one rename each, summary.json last. The files are written
-/// also for a run that did not converge; summary.json says so. Files of an earlier run into the same folder that this one does not write
-/// are removed. Its time is the phase "write" of the run's timers. No rank has anything to do once the results are in place: a run that
-/// fails later would leave a summary that does not know it. Collective.
-/// \throws EnvironmentError  when something cannot be written
+/// Writes fields_0000.vtkhdf, contact_0000.vtkhdf (with contact lines), history.csv, summary.json and, with load steps, steps.csv; the
+/// fields of load steps are already in place (writeStepFields). All files are written into a folder `.new` first. Once all are complete,
+/// they replace those of an earlier run, one rename each, summary.json last; other result files of the earlier run are removed. A run that
+/// did not converge writes the same files, and summary.json states it. The time counts as phase "write" of the run's timers. No rank may
+/// do any work after this call: if the run failed later, the summary would not contain the failure. Collective.
+/// \throws EnvironmentError  a file cannot be written
 Written writeReport(const Run& run, ExitCode code);
 
 }  // namespace suture

@@ -15,12 +15,12 @@
 
 namespace suture {
 
-/// Everything a report needs of a run; all references outlive it.
+/// Everything that a report needs of a run; all references must outlive it.
 struct Run {
   const Comm& comm;
   const SceneFile& scene;
   const ElasticModel& model;
-  const std::vector<ContactPiece>& pieces;       ///< on rank 0; not used on the others
+  const std::vector<ContactPiece>& pieces;       ///< on rank 0; unused on other ranks
   const std::vector<SubdomainMesh>& subdomains;  ///< subdomains of this rank
   const ProblemSize& size;
   const Solution& solution;
@@ -29,12 +29,12 @@ struct Run {
   std::string meshHash;  ///< on rank 0
   Invocation invocation;
   std::string folder;                     ///< output folder
-  std::vector<std::string> conditions{};  ///< names of boundary conditions as Support::condition numbers them, on rank 0
+  std::vector<std::string> conditions{};  ///< names of boundary conditions in the numbering of Support::condition, on rank 0
   std::vector<std::string> contacts{};    ///< names of contact lines
-  std::vector<StepRow> steps{};           ///< load steps so far; empty for a scene without
+  std::vector<StepRow> steps{};           ///< load steps so far; empty without load steps
 };
 
-/// The run's number of space dimensions (a rank without subdomains does not see it alone). Collective.
+/// The number of space dimensions of the run, also on ranks without subdomains. Collective.
 int dimensionOf(const Run& run);
 
 }  // namespace suture

@@ -7,7 +7,7 @@
 namespace suture {
 namespace {
 
-// 0 stands for "no inner iteration, no estimate".
+// 0 means "no inner iteration, no estimate".
 std::string condition(double value) {
   if (value <= 0.0) return "-";
   return value < 1e5 ? format("%.1f", value) : format("%.1e", value);

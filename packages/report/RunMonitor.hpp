@@ -9,44 +9,44 @@
 
 namespace suture {
 
-/// Listens to the run; writes the table on the console (rank 0's `console`, null on the others and for --quiet) and collects the rows of
+/// Monitor of a run: writes the table to the console (rank 0's `console`; null on other ranks and for --quiet) and collects the rows of
 /// history.csv. Local: every rank has one and collects the same rows.
 ///
-/// A note that begins with "warning: " is a warning: something was repaired or assumed for the user.
+/// A note that begins with "warning: " is a warning: Suture repaired or assumed something.
 class RunMonitor : public Monitor {
  public:
-  /// \param verbose  prints the inner iterations, too
-  /// \param strict   turns a warning into an error (--strict)
+  /// \param verbose  also prints the inner iterations
+  /// \param strict   turns warnings into errors (--strict)
   RunMonitor(std::ostream* console, bool verbose, bool strict = false);
   void auxiliary(const AuxiliaryRow& row) override;
   void outer(const OuterRow& row) override;
-  /// Keeps and prints a note, once: the same text again is dropped.
-  /// \throws InputError  for a warning, when strict; on every rank, since every rank is told the same
+  /// Stores and prints a note; a repeated text is dropped.
+  /// \throws InputError  for a warning, when strict; on every rank, since every rank receives the same notes
   void note(const std::string& text) override;
   void inner(int iteration, double relativeResidual) override;
   bool wantsInner() const override { return verbose_; }
   bool stopRequested() const override { return stop_ && stop_(); }
-  /// \param stop  asked after every outer iteration whether the user wants the run to end
+  /// \param stop  called after every outer iteration; true ends the run
   void stopWhen(std::function<bool()> stop) { stop_ = std::move(stop); }
 
-  /// Begins a load step: tables have a row per step instead of one per outer iteration, unless verbose.
+  /// Begins a load step: from now on the table has one row per step instead of one per outer iteration, unless verbose.
   void beginStep(int step) { loadStep_ = step; }
-  /// Prints its row.
+  /// Prints the row of a load step.
   void endStep(const StepRow& row);
 
-  /// Energy that the solver does not know of, added to that of every row.
+  /// Sets an energy unknown to the solver that is added to the energy of every row.
   void shiftEnergy(double shift) { energyShift_ = shift; }
 
-  /// Bad news in red, warnings in yellow: for a terminal.
+  /// Prints failures in red and warnings in yellow, for terminals.
   void useColours() { coloured_ = true; }
   enum class Colour { Good = 32, Warning = 33, Bad = 31 };
-  /// The text in a colour, if there are any.
+  /// The text in a colour, if colours are in use.
   std::string in(Colour colour, const std::string& text) const;
 
   std::ostream* console() const { return console_; }  ///< null: silent
   const std::vector<OuterRow>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
-  /// Prints how many warnings stand above: the last lines are those that are read.
+  /// Prints the number of warnings above, since users read the last lines.
   void countWarnings() const;
 
  private:

@@ -33,14 +33,14 @@ bool isOutputFolder(const std::string& assignment) {
   return path == "Output/Folder";
 }
 
-/// Parameters of a run that are not those of another: "Path/To/Parameter" and both values.
+/// Lists parameters that differ between two runs: "Path/To/Parameter" and both values.
 void differences(const Json& then, const Json& now, const std::string& path, Problems& problems) {
   if (path == "Output/Folder" || then == now || problems.list().size() >= kMostDifferences) return;
   if (!then.is_object() || !now.is_object()) {
     const auto told = [](const Json& value) {
       return value.is_discarded() ? std::string("none") : value.dump(-1, ' ', false, Json::error_handler_t::replace);
     };
-    problems.add(path, told(now) + " in the scene now, " + told(then) + " when the run was made");
+    problems.add(path, told(now) + " in the scene now, " + told(then) + " in the original run");
     return;
   }
   const Json none(Json::value_t::discarded);
@@ -50,32 +50,32 @@ void differences(const Json& then, const Json& now, const std::string& path, Pro
     if (!then.contains(name)) differences(none, value, below(name), problems);
 }
 
-/// \throws InputError  of a summary that cannot be made again
+/// \throws InputError  the run of the summary cannot be repeated
 RunRecord recordOf(const std::string& path, const std::string& text) {
   const Json all = Json::parse(text, nullptr, false);
-  if (all.is_discarded()) throw InputError(path, "is no JSON; expected the summary.json of a run");
+  if (all.is_discarded()) throw InputError(path, "is not JSON; expected the summary.json of a run");
   const Json format = all.is_object() && all.contains("format") ? all.at("format") : Json();
   if (!format.is_object() || format.value("name", Json()) != RunRecord::kName) {
     const bool isOld = all.is_object() && all.contains("converged") && all.contains("mesh_hash") && !all.contains("format");
-    throw InputError(path, isOld ? "the summary of an earlier version of Suture, which does not keep how the run was started; run the "
-                                   "scene anew with this version, then the new summary can be run again"
-                                 : "is no summary of Suture; expected the summary.json of a run");
+    throw InputError(path, isOld ? "was written by an earlier version of Suture, which did not record how the run was started; solve the "
+                                   "scene with this version first"
+                                 : "is not a summary of Suture; expected the summary.json of a run");
   }
   const Json version = format.value("version", Json());
   if (version != RunRecord::kVersion)
-    throw InputError(path, "has the format " + version.dump() + "; this version of Suture (" + suture::version() + ") reads the format " +
-                               std::to_string(RunRecord::kVersion) + ": run it again with the Suture that wrote it (" +
+    throw InputError(path, "has format " + version.dump() + "; this version of Suture (" + suture::version() + ") reads format " +
+                               std::to_string(RunRecord::kVersion) + ": repeat the run with the version that wrote it (" +
                                all.value("versions", Json::object()).value("suture", "unknown") + ")");
   RunRecord run;
   try {
     const Json& record = all.at("record");
     if (all.at("exit_code") == int(ExitCode::Stopped))
       throw InputError(path,
-                       "the run was stopped on request, at a moment that cannot be met again; go on from its checkpoint.h5 with "
+                       "the run was stopped on request and cannot be repeated; continue from its checkpoint.h5 with "
                        "--restart");
     if (record.at("scene").is_null())
       throw InputError(path, "the scene of this run, '" + all.at("scene").get<std::string>() +
-                                 "', is no file; the program that made it can run it again");
+                                 "', is not a file; repeat the run with the program that created it");
     run.scene = usedFileOf(record.at("scene"));
     for (const Json& assignment : record.at("overrides"))
       if (!isOutputFolder(assignment.get<std::string>())) run.overrides.push_back(assignment.get<std::string>());
@@ -83,7 +83,7 @@ RunRecord recordOf(const std::string& path, const std::string& text) {
     run.restart = usedFileOf(record.at("restart"));
     run.strict = record.at("strict").get<bool>();
     run.meshHash = all.at("mesh_hash").get<std::string>();
-    if (!all.at("parameters").is_object()) throw InputError(path, "'parameters' is no object");
+    if (!all.at("parameters").is_object()) throw InputError(path, "'parameters' is not an object");
   } catch (const Json::exception& error) {
     throw InputError(path, std::string("is damaged: ") + error.what());
   }
@@ -121,8 +121,8 @@ std::vector<std::string> RunRecord::checkFiles() const {
     if (hashNow(plugin, "--plugin") != plugin.hash) notes.push_back("the plugin '" + plugin.path + "' has changed since the run");
   if (!restart.path.empty() && hashNow(restart, "--restart") != restart.hash)
     problems.add("--restart", "'" + restart.path +
-                                  "' has changed since the run began with it; a run writes its own checkpoint.h5 into its "
-                                  "folder: give each run a folder of its own");
+                                  "' has changed since the run started from it. Every run writes checkpoint.h5 into its output folder: "
+                                  "use a separate folder for each run");
   problems.throwIfAny();
   return notes;
 }
@@ -132,7 +132,7 @@ std::vector<std::string> RunRecord::checkScene(const SceneFile& file) const {
   Problems problems;
   differences(Json::parse(text).at("parameters"), toJson(*file.parameters), "", problems);
   problems.throwIfAny();
-  return {"the scene file has changed since the run, but none of its parameters"};
+  return {"the scene file has changed since the run, but none of its parameters has"};
 }
 
 void RunRecord::checkMesh(const std::string& hash) const {
@@ -141,11 +141,11 @@ void RunRecord::checkMesh(const std::string& hash) const {
   const Json& mesh = all.at("parameters").value("Mesh", Json::object());
   const std::string file = mesh.value("File", Json("")).is_string() ? mesh.value("File", "") : "";
   const std::string gmsh = all.value("versions", Json::object()).value("Gmsh", ""), gmshNow = libraryVersions()["Gmsh"];
-  std::string why = "; the run's mesh cannot be made again";
+  std::string why = "; the mesh of the run cannot be reproduced";
   if (!file.empty())
-    why = gmsh != gmshNow ? "; '" + file + "' was read with Gmsh " + gmsh + " then, with " + gmshNow + " now"
+    why = gmsh != gmshNow ? "; '" + file + "' was read with Gmsh " + gmsh + " in the run, with " + gmshNow + " now"
                           : "; '" + file + "', or a file that it includes, has changed";
-  throw InputError("Mesh", "is another mesh than that of the run (hash " + hash + " now, " + meshHash + " then)" + why);
+  throw InputError("Mesh", "is not the mesh of the run (hash " + hash + " now, " + meshHash + " then)" + why);
 }
 
 RunRecord readRunRecord(const Comm& comm, const std::string& path) {

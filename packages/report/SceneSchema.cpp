@@ -13,11 +13,11 @@ namespace suture {
 
 namespace {
 
-/// \param inFile  mesh, bodies and materials are demanded
+/// \param inFile  mesh, bodies and materials are required
 Schema schemaOf(bool inFile) {
   const int least = inFile ? 1 : 0;
   Schema scene("A scene: elastic bodies in equilibrium, in unilateral contact with each other.");
-  scene.text("Title", "", "Printed and drawn; empty: the name of the file.");
+  scene.text("Title", "", "Printed and plotted; empty: the name of the file.");
   scene.text("Units", "m, N, Pa", "Names of the units of length, force and stress: recorded and printed, never converted.");
   addModelParameters(scene);
   scene.list("Constants", constantsSchema());
@@ -25,10 +25,10 @@ Schema schemaOf(bool inFile) {
   scene.list("Mesh", meshSchema(), inFile);
   Schema body = bodySchema();
   body.choice("Subdomain", "Elastic", Registry<Subdomain>::instance().schemas(), "The physics of the body's subdomains.");
-  scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", body, least), inFile);
+  scene.list("Bodies", Schema("The elastic bodies, each named like its element group in the mesh.").each("<body>", body, least), inFile);
   scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), least), inFile);
   scene.list("Boundary Conditions",
-             Schema("Loads and supports, named by the user; several may meet at a node.").each("<condition>", boundaryConditionSchema()));
+             Schema("Loads and supports, named by the user; a node may have several.").each("<condition>", boundaryConditionSchema()));
   scene.list("Load Steps", LoadSteps::schema());
   scene.list("Contact", Schema("Contact lines, named by the user.").each("<line>", contactSchema()));
   scene.list("Exact Solution", exactSolutionSchema());

@@ -3,11 +3,11 @@
 
 namespace suture {
 
-/// Schema of the whole scene file, for the reader, suture_schema and --print-defaults; composed of the packages' schemas,
-/// the strategies of plugins included that were loaded before. Local.
+/// Schema of the whole scene file, for the reader, suture_schema and --print-defaults. Composed of the packages' schemas,
+/// including the strategies of plugins loaded before. Local.
 Schema sceneSchema();
 
-/// Schema of the settings of a scene that is made in C++: as sceneSchema(), but nothing of the scene itself is demanded. Local.
+/// Schema of the settings of a scene created in C++: as sceneSchema(), but without required entries for the scene itself. Local.
 Schema settingsSchema();
 
 }  // namespace suture

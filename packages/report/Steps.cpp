@@ -21,7 +21,7 @@ constexpr const char* kEnding = ".vtkhdf";
 
 std::string nameOfStep(const char* kind, std::size_t place) { return format("%s_%04zu%s", kind, place, kEnding); }
 
-/// Place of the step whose fields a file has; -1: it is none.
+/// Index of the step of a field file; -1 if the file is not a field file.
 long placeOfStep(const std::string& name, const std::string& kind) {
   const std::string begin = kind + "_", end = kEnding;
   if (name.size() <= begin.size() + end.size() || name.compare(0, begin.size(), begin) != 0 ||
@@ -31,7 +31,7 @@ long placeOfStep(const std::string& name, const std::string& kind) {
   return digits.find_first_not_of("0123456789") == std::string::npos ? std::stol(digits) : -1;
 }
 
-/// As ParaView has it: the names of the files and their times.
+/// ParaView's file series: names of the files and their times.
 std::string seriesOf(const char* kind, const std::vector<StepRow>& rows) {
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) files.push_back({{"name", nameOfStep(kind, i)}, {"time", rows[i].time}});
@@ -68,10 +68,10 @@ void writeStepFields(const Run& run, const std::vector<StepRow>& rows) {
       writeContactFields(run, unfinished);
     else
       writeFields(run, unfinished);
-    collectivelyOnRoot(run.comm, "putting fields in place", [&] {
+    collectivelyOnRoot(run.comm, "moving fields into place", [&] {
       std::error_code error;
       std::filesystem::rename(unfinished, path, error);
-      if (error) throw EnvironmentError("cannot put '" + path + "' in place: " + error.message());
+      if (error) throw EnvironmentError("cannot move '" + path + "' into place: " + error.message());
       writeTextFile((folder / (std::string(kind) + kEnding + ".series")).string(), seriesOf(kind, rows));
     });
   }

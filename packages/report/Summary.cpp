@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 namespace suture {
 namespace {
 
-// Version of the columns of all tables; each has its own in summary.json, and in doc/schema.
+// Version of the columns of all tables; summary.json and doc/schema list it per table.
 constexpr int kTableVersion = 1;
 
 Json components(const Point& vector, int dimension) {
@@ -42,7 +42,7 @@ Json auxiliary(const AuxiliaryRow& row) {
           {"contact", row.contact}};
 }
 
-// Against an exact solution, of scenes that have one; and estimated, in the energy norm.
+// Errors against the exact solution, if there is one, and estimated errors in the energy norm.
 Json errors(const Solution& answer) {
   Json all = Json::object();
   for (const auto& [name, value] : answer.errors) all[name] = value;
@@ -226,7 +226,7 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
         {"parameters", toJson(parameters)},
     };
     if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
-    // Text that is not UTF-8 (a title in Latin-1) must not lose the results of a run.
+    // Text that is not UTF-8 (a title in Latin-1) must not make the results unwritable.
     text = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   });
   return text;

@@ -2,7 +2,7 @@
 
 namespace suture {
 
-// Beside the writer, not taken from it: a study must know its columns before the first run. A test compares the two.
+// A separate list, because a study must know its columns before the first run. A test compares it with the writer.
 const std::vector<std::string>& summaryPaths() {
   static const std::vector<std::string> paths{
       "format.name",

@@ -12,9 +12,9 @@ namespace suture {
 /// A piece of a rank's part of an unstructured grid, in VTK's terms.
 struct GridPiece {
   std::vector<double> points;          ///< points x 3
-  std::vector<GlobalId> connectivity;  ///< numbers of the rank's points, of earlier pieces, too
+  std::vector<GlobalId> connectivity;  ///< point numbers on this rank, including points of earlier pieces
   std::vector<GlobalId> ends;          ///< end of each cell's points in this piece's connectivity
-  std::vector<unsigned char> types;    ///< VTK's number of each cell's shape
+  std::vector<unsigned char> types;    ///< VTK cell types
 };
 
 /// Size of all pieces of a rank together.
@@ -22,25 +22,25 @@ struct GridSize {
   GlobalId points = 0, cells = 0, connectivity = 0;
 };
 
-/// Description of an array: everything but its numbers.
+/// Description of an array, without its values.
 struct FieldInfo {
   std::string name;
   int components = 1;
-  std::string unit;     ///< "" for a pure number
+  std::string unit;     ///< "" if dimensionless
   std::string meaning;  ///< components and their order, sign
 };
 
-/// A file of the format VTKHDF 1.0 with one unstructured grid, a partition a rank; VTK 9.1 and ParaView 5.11 read it. A rank without
-/// points makes no partition. Points and cells of a field are in the order of the grid.
-/// Source: "VTK File Formats", docs.vtk.org. All functions but append() are collective; errors as in Hdf5File.
+/// A file of the format VTKHDF 1.0 with one unstructured grid, one partition per rank; readable by VTK 9.1 and ParaView 5.11. Ranks
+/// without points have no partition. Points and cells of a field are in the order of the grid.
+/// Source: "VTK File Formats", docs.vtk.org. All functions except append() are collective; errors as in Hdf5File.
 class VtkHdf {
  public:
   VtkHdf(const Comm& comm, const std::string& path, const GridSize& mine);
 
-  /// The next piece of this rank. Local. \throws EnvironmentError  on this rank only, as Hdf5Rows::append()
+  /// Writes the next piece of this rank. Local. \throws EnvironmentError  on this rank only, as Hdf5Rows::append()
   void append(const GridPiece& piece);
 
-  /// An array of which this rank gives its points' or cells' values piece by piece.
+  /// Creates an array to which this rank appends the values of its points or cells piece by piece.
   template <typename T>
   Hdf5Rows<T> pointData(const FieldInfo& info) {
     return add<T>("/VTKHDF/PointData/", info, mine_.points);
@@ -49,19 +49,19 @@ class VtkHdf {
   Hdf5Rows<T> cellData(const FieldInfo& info) {
     return add<T>("/VTKHDF/CellData/", info, mine_.cells);
   }
-  /// The same, given at once.
+  /// Writes an array at once.
   template <typename T>
   void pointData(const FieldInfo& info, const std::vector<T>& values) {
     Hdf5Rows<T> rows = pointData<T>(info);
     collectively(comm_, "writing a field", [&] { rows.append(values); });
   }
 
-  /// Texts that belong to the whole grid, as field data. The same on all ranks.
+  /// Writes texts for the whole grid as field data. The same on all ranks.
   void names(const std::string& name, const std::vector<std::string>& texts) {
     if (!texts.empty()) file_.write("/VTKHDF/FieldData/" + name, texts);
   }
 
-  /// The file, for content beside the grid (/Record).
+  /// The file, for content in addition to the grid (/Record).
   Hdf5File& file() { return file_; }
   void close();
 
@@ -75,7 +75,7 @@ class VtkHdf {
     return made;
   }
 
-  // Open until the file is closed.
+  // Datasets of the grid, open until the file is closed.
   struct Grid {
     Hdf5Rows<double> points;
     Hdf5Rows<GlobalId> connectivity, offsets;

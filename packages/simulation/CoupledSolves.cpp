@@ -1,4 +1,4 @@
-// Simulation coupled to another program: loads from outside, solved again and again.
+// Simulation coupled to another program: loads from outside, repeated solves.
 #include <suture/base/Gather.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/Simulation.hpp>
@@ -11,11 +11,10 @@ namespace suture {
 
 CouplingSurface Simulation::coupling(const std::string& group) {
   order_.require(StageOrder::Nothing, StageOrder::Checked, "coupling");
-  if (!scene_.steps.empty())
-    throw InputError("Load Steps", "in a scene that another program loads; expected a scene without: the program has the steps");
+  if (!scene_.steps.empty()) throw InputError("Load Steps", "not available in a coupled scene: the coupling program controls the steps");
   if (hasControlledLoads(scene_))
     throw InputError("coupling '" + group + "'",
-                     "in a scene with a Mean Displacement or a Preload, whose amounts are found for one set of loads only");
+                     "a coupled scene cannot have a Mean Displacement or a Preload: their amounts are found for one set of loads only");
   if (!order_.has(StageOrder::Read)) read();
   if (!order_.has(StageOrder::Cut)) cut();
   CouplingSurface surface = couplingSurface(*comm_, cut_.meshes, group);
@@ -32,7 +31,7 @@ CouplingSurface Simulation::coupling(const std::string& group) {
   return surface;
 }
 
-/// Forces on a surface, among the loads of the scene. \throws InternalError  coupling() of this simulation has not made the surface
+/// The forces on a surface, among the loads of the scene. \throws InternalError  the surface is not from coupling() of this simulation
 Load& Simulation::loadOf(const CouplingSurface& surface, const std::string& function) {
   std::vector<Load>& loads = scene_.model.loads;
   bool isOwn = surface.load < loads.size() && loads[surface.load].name == "coupling " + surface.group;
@@ -41,7 +40,7 @@ Load& Simulation::loadOf(const CouplingSurface& surface, const std::string& func
   const int mine = isOwn;
   int all = 0;
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
-  if (all == 0) throw InternalError(function + "() on a surface that coupling() of this simulation has not made");
+  if (all == 0) throw InternalError(function + "(): the surface is not from coupling() of this simulation");
   return loads[surface.load];
 }
 
@@ -70,8 +69,7 @@ void Simulation::setDisplacements(const CouplingSurface& surface, const std::vec
       for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) inContact[end.node] = 1;
       for (NodeRule& rule : mesh.rules) {
         if (inContact[rule.node] && values.count(mesh.globalNodes[rule.node]))
-          throw InputError(path,
-                           "displacements of nodes in a contact, whose gaps they would change; expected a group away from all contacts");
+          throw InputError(path, "displacements cannot be prescribed at nodes in a contact; expected a group without contact nodes");
         take(rule, mesh.globalNodes[rule.node]);
       }
     }

@@ -29,8 +29,8 @@ std::map<GlobalId, Point> summedByNode(const Comm& comm, const std::map<GlobalId
   return all;
 }
 
-/// Integrals over a group of the shape functions times a vector, by node. On every rank.
-/// \param vectorAt  the vector times the size that belongs to a quadrature point. \param nodes  of the side
+/// Integrals of the shape functions times a vector over a group, by node. On every rank.
+/// \param vectorAt  the vector times the weight of a quadrature point. \param nodes  of the side
 std::map<GlobalId, Point> integralsOver(
     const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::string& group,
     const std::function<Point(const SideMap& map, const double* shapes, const std::vector<GlobalId>& nodes)>& vectorAt) {
@@ -108,7 +108,7 @@ std::map<GlobalId, Point> valuesByNode(const Comm& comm, const CouplingSurface& 
   std::map<GlobalId, Point> mine;
   collectively(comm, "taking " + what, [&] {
     if (values.size() != wanted)
-      throw InputError(path, std::to_string(values.size()) + " values as " + what + "; expected " + std::to_string(d) +
+      throw InputError(path, std::to_string(values.size()) + " values for " + what + "; expected " + std::to_string(d) +
                                  " components for each of the " + std::to_string(surface.nodes.size()) + " nodes of a rank, " +
                                  std::to_string(wanted));
     for (std::size_t i = 0; i < surface.nodes.size(); ++i) {

@@ -27,7 +27,7 @@ MadeFor madeFor(const Parameters& scene) {
   for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
   if (scene.sublist("Load Steps").sublist("Factors").numParams() > 0) lists["Load Steps"] = toXml(scene.sublist("Load Steps"));
   lists["Model"] = scene.get<std::string>("Model");
-  // The gap between curved sides depends on which of the bodies gives way more.
+  // The gap between curved sides depends on which body is more compliant.
   if (mayBeMortar(scene.sublist("Contact"))) lists["Materials"] = toXml(scene.sublist("Materials"));
   return lists;
 }
@@ -74,14 +74,14 @@ CutMesh cutMesh(const Comm& comm, const Scene& scene, const Mesh& mesh, const Co
   if (!isCut(scene)) {
     cut.partition = makePartition(comm, mesh, constraints, settings.sublist("Partition"), keepsGroupsWhole);
     cut.meshes = distribute(comm, mesh, constraints, cut.partition);
-    cut.partition.share.reset();  // nothing else needs it
+    cut.partition.share.reset();  // not needed any more
     cut.whole = wholeOf(comm, mesh, constraints, cut.partition);
     return cut;
   }
   const std::string path = meshFile(settings.sublist("Mesh"), scene.file.folder);
   if (path.empty())
     throw InputError(pathOf(settings.sublist("Partition"), "Type"),
-                     std::string(kPartitionedMesh) + " needs a Mesh/File of suture_partition; this scene generates its mesh");
+                     std::string(kPartitionedMesh) + " needs a Mesh/File written by suture_partition; this scene generates its mesh");
   PartitionedMesh read = readPartitionedMesh(comm, path, madeFor(settings), keepsGroupsWhole);
   cut.partition = std::move(read.partition);
   cut.meshes = std::move(read.mine);

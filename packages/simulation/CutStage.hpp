@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// Properties of the whole scene that later stages need.
+/// Properties of the whole mesh that later stages need.
 struct Whole {
   ProblemSize size;                     ///< on all ranks; without the interface
   std::vector<ContactPiece> pieces;     ///< on rank 0
@@ -21,24 +21,24 @@ struct Whole {
 /// Collective.
 Whole wholeOf(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);
 
-/// The bodies in subdomains, each rank with its own.
+/// The bodies as subdomains; each rank holds its own.
 struct CutMesh {
   Partition partition;
   std::vector<SubdomainMesh> meshes;
   Whole whole;
 };
 
-/// True if the scene's mesh file is cut already (Partition/Type = Partitioned Mesh). Local.
+/// True if the scene's mesh file contains a partition (Partition/Type = Partitioned Mesh). Local.
 bool isCut(const Scene& scene);
 
-/// Cuts mesh and constraints of rank 0, or reads what suture_partition has cut. \throws InputError  Collective.
+/// Partitions mesh and constraints of rank 0, or reads the partition written by suture_partition. \throws InputError  Collective.
 CutMesh cutMesh(const Comm& comm, const Scene& scene, const Mesh& mesh, const Constraints& constraints);
 
-/// For suture_partition: adds the cut of the scene to its mesh file. On rank 0.
+/// Adds the scene's partition to its mesh file (suture_partition). On rank 0.
 void addCut(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const Whole& whole,
             const Scene& scene);
 
-/// Frees what rank 0 holds in proportion to the whole mesh, where no later stage needs it. Local.
+/// Frees the whole mesh and its constraints on rank 0 once no later stage needs them. Local.
 void forget(Mesh& mesh, Constraints& constraints, Partition& partition);
 
 }  // namespace suture

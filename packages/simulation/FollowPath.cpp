@@ -1,4 +1,4 @@
-// Simulation on a path of load steps.
+// Simulation of load steps.
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/report/Checkpoint.hpp>
@@ -24,10 +24,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kSameTime = 1e-9;  // part of a step: a time nearer to its end is the end
-constexpr double kEasy = 0.5;       // part of the largest change, below which the next step is longer
-constexpr double kSudden = 0.9;     // part of the changes of a step that are there in its half, where they come all at once
-constexpr double kWork = 100.0;     // accuracies of a solution that the balance of work may miss
+constexpr double kSameTime = 1e-9;  // fraction of a step: a time nearer to its end is the end
+constexpr double kEasy = 0.5;       // fraction of the largest change, below which the next step is longer
+constexpr double kSudden = 0.9;     // fraction of the changes of a step found in its half that marks a sudden change
+constexpr double kWork = 100.0;     // allowed imbalance of work, in accuracies of a solution
 
 std::string timeText(double time) {
   std::ostringstream text;
@@ -37,7 +37,7 @@ std::string timeText(double time) {
 
 std::string stoppedAfter(double time) { return "stopped on request, after " + timeText(time); }
 
-/// Where a step begins: the solution of the one before.
+/// Initial guess of a step: the solution of the previous step.
 Start startOf(const Comm& comm, const Solution& solution) {
   struct PairStatusOf {
     int id;
@@ -53,7 +53,7 @@ Start startOf(const Comm& comm, const Solution& solution) {
 
 }  // namespace
 
-/// The solution for the loads as they are. \param before  where to begin; null: where start() has found \param isPrepared  the method is
+/// The solution for the present loads. \param before  initial guess; null: the one found by start() \param isPrepared  the method is
 /// prepared for these loads
 Solution Simulation::solveFrom(const Solution* before, bool isPrepared) {
   if (!isPrepared && method_->reloads()) {
@@ -71,7 +71,7 @@ Solution Simulation::solveFrom(const Solution* before, bool isPrepared) {
   return method_->solve(monitor_, timers_, start && method_->takesStart() ? &*start : nullptr);
 }
 
-/// The solution at the time that the path is set to, judged; not converged with the reason, whatever it is. Parameters as of solveFrom().
+/// The verified solution at the time of the path; any failure makes it not converged, with the reason. Parameters as of solveFrom().
 Solution Simulation::solveStep(const Solution* before, bool isPrepared) {
   Solution solution;
   brokeDown_ = false;
@@ -86,15 +86,15 @@ Solution Simulation::solveStep(const Solution* before, bool isPrepared) {
   return solution;
 }
 
-/// States of the pairs where the last step ended, if there is friction: few that stick tell that a body begins to slide.
+/// States of the pairs at the end of the last step, if there is friction: few sticking pairs indicate that a body begins to slide.
 std::string Simulation::lastStates() const {
   if (path_->rows.empty() || !scene_.laws.restrictSliding()) return "";
   const StepRow& last = path_->rows.back();
   return "; at " + timeText(last.time) + " " + std::to_string(last.sticking) + " of " + std::to_string(last.active) +
-         " closed pairs stuck and " + std::to_string(last.slipping) + " slipped";
+         " closed pairs stick and " + std::to_string(last.slipping) + " slip";
 }
 
-/// Takes up the path of a checkpoint. \param before  gets the solution of its last step
+/// Continues the path of a checkpoint. \param before  receives the solution of its last step
 void Simulation::goOnFromStart(Solution& before) {
   path_->goOnFrom(restart_);
   before.displacement = start_->displacement;
@@ -109,10 +109,10 @@ void Simulation::goOnFromStart(Solution& before) {
   before.energy = path_->rows.back().energy;
   const double tolerance = requestedAccuracy(scene_.settings(), before);
   meter_->goOnFrom({cut_.meshes, scene_.model, before.displacement, before.pairs, cut_.whole.pieces, tolerance}, path_->rows.back().work);
-  monitor_.note("goes on at " + timeText(path_->time()) + ", after load step " + std::to_string(path_->rows.size()));
+  monitor_.note("continues at " + timeText(path_->time()) + ", after load step " + std::to_string(path_->rows.size()));
 }
 
-/// Keeps a step: its row, work, fields and checkpoint.
+/// Accepts a step and writes its row, work, fields and checkpoint.
 void Simulation::acceptStep(Solution& solution, const Solution* before, StepRow row) {
   const double tolerance = requestedAccuracy(scene_.settings(), solution);
   timed(timers_, "verify", [&] {
@@ -156,8 +156,8 @@ void Simulation::followPath() {
   path_->length = std::numeric_limits<double>::infinity();
   if (hasBefore) goOnFromStart(before);
   if (path_->time() >= times.back())
-    throw InputError("Load Steps/Times", "the checkpoint is at " + timeText(path_->time()) + ", and the last step ends at " +
-                                             timeText(times.back()) + "; expected a time after that");
+    throw InputError("Load Steps/Times", "the checkpoint is at " + timeText(path_->time()) + ", but the last step ends at " +
+                                             timeText(times.back()) + "; expected a later end");
   if (output_) collectivelyOnRoot(*comm_, "removing fields of an earlier run", [&] { removeStepFields(folder_, path_->rows.size()); });
   Solution total;  // counts of all steps
   StepRow row;
@@ -180,7 +180,7 @@ void Simulation::followPath() {
     Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, stop, Teuchos::outArg(anyStop));
     broadcastBytes(*comm_, &changed, sizeof changed);
     const double allowed = scene_.laws.restrictSliding() ? scene_.steps.largestChange() * size_.pairs : size_.pairs;
-    // Where half the step changes as many (a sense that turns), they change at once, and no step is short enough.
+    // If half the step changes as many pairs (a load reversal), they change at once, and no step is short enough.
     const bool isSudden = isSolved && changed >= kSudden * changedBefore && changedBefore >= kSudden * changedFirst && changedFirst > 0;
     const bool isTooLong = (!isSolved && anyStop == 0) || (changed > allowed && !isSudden);
     changedFirst = std::exchange(changedBefore, changed);
@@ -193,7 +193,7 @@ void Simulation::followPath() {
       unfinished_ = anyStop ? stoppedAfter(begin)
                             : "load step " + std::to_string(path_->rows.size() + 1) + ", to " + timeText(time) + ": " + solution.failure +
                                   lastStates();
-      if (!hasBefore && brokeDown_) throw NumericalError(unfinished_);  // there is nothing to show
+      if (!hasBefore && brokeDown_) throw NumericalError(unfinished_);  // no solution to report
       if (!hasBefore) before = std::move(solution);
       break;
     }

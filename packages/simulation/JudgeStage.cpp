@@ -65,7 +65,7 @@ void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, co
 
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution) {
   if (!solution.nodalStresses.empty())
-    for (const auto& own : solution.ownStresses)  // recovered with a law that is not theirs
+    for (const auto& own : solution.ownStresses)  // recovered with a wrong law
       solution.nodalStresses[own.first].setConstant(std::numeric_limits<double>::quiet_NaN());
   solution.extremes = findExtremes(comm, {meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses});
 }

@@ -19,11 +19,11 @@ namespace suture {
 namespace {
 
 constexpr int kMostSteps = 30;
-constexpr double kReached = 1e-8;     // least misfit over its size: sizeOf()
+constexpr double kReached = 1e-8;     // smallest relative misfit required: misfit / sizeOf()
 constexpr double kAccuracy = 10.0;    // misfit over the accuracy of the solutions
-constexpr double kMissed = 100.0;     // misfit of a refused answer over that at which the search ends
+constexpr double kMissed = 100.0;     // misfit of a refused solution over that at which the search ends
 constexpr double kFirstPull = 1e-2;   // first step over that of a block of the stiffest material
-constexpr double kNoResponse = 1e-9;  // slope over the expected one, below which nothing responds
+constexpr double kNoResponse = 1e-9;  // slope over the expected one, below which there is no response
 
 using Control = Load::Control;
 
@@ -52,8 +52,8 @@ double largestDisplacement(const Comm& comm, const Solution& solution) {
   return all;
 }
 
-/// Size by which a misfit is measured. A displacement is as accurate as the largest displacement of the answer, so that a target close to
-/// zero cannot be met more accurately than that. [length or force]
+/// Scale of a misfit. The accuracy of a displacement is relative to the largest displacement of the solution, which limits how accurately
+/// a target close to zero can be met. [length or force]
 double sizeOf(const Load& load, double value, double displacement) {
   if (load.control != Control::SectionForce) return std::max(std::abs(load.target), displacement);
   return load.target != 0.0 ? std::abs(load.target) : std::abs(value);
@@ -78,7 +78,7 @@ class Search {
     expected_ = slopes_.diagonal();
   }
 
-  /// Returns the number of solutions that it took.
+  /// Returns the number of solutions.
   int run() {
     Vector misfit = misfitAt(amounts_);
     softenBolts(misfit);
@@ -137,7 +137,7 @@ class Search {
     return misfit;
   }
 
-  /// The first answer tells how much softer than alone a bolt is between what it presses together.
+  /// Estimates from the first solution how much the clamped parts soften a bolt.
   void softenBolts(const Vector& misfit) {
     for (Eigen::Index i = 0; i < size_; ++i)
       if (const double value = misfit[i] + load(i).target; load(i).control == Control::SectionForce && value / load(i).target > 0.0)
@@ -155,7 +155,7 @@ class Search {
     misfit.cwiseAbs().cwiseProduct(expected_.cwiseInverse()).maxCoeff(&worst);
     throw NumericalError(nameOf(load(worst)) + ": " + quantityOf(load(worst)) + " is " + number(misfit[worst] + load(worst).target) +
                          " after " + std::to_string(steps_) + " solutions and does not come near " + number(load(worst).target) +
-                         ". Does another condition hold it, or two of them the same?");
+                         ". Check whether another condition fixes it, or whether two controlled loads act on the same quantity");
   }
 
   CommPtr comm_;
@@ -164,7 +164,7 @@ class Search {
   std::vector<std::size_t> loads_;
   Eigen::Index size_;
   Vector amounts_, largest_, expected_;
-  Matrix slopes_;  // derivatives of the values by the amounts
+  Matrix slopes_;  // derivatives of the values with respect to the amounts
   double reached_ = kReached, displacement_ = 0.0;
   int steps_ = 0;
 };

@@ -9,13 +9,13 @@ class Monitor;
 /// True if the scene has loads whose amounts are unknown.
 bool hasControlledLoads(const Scene& scene);
 
-/// Finds the amounts at which the answer has the targets of all controlled loads, and sets them: Broyden's method, each step of which is a
-/// solution of the scene with known amounts. One such load in a scene without contact takes three. Collective.
+/// Finds and sets the amounts of all controlled loads such that the solution meets their targets. Uses Broyden's method; each iteration
+/// solves the scene with known amounts. A single controlled load without contact takes three solutions. Collective.
 /// \param scene  with resolved loads  \param meshes  its subdomains
-/// \throws NumericalError  a step does not converge; a target that the answer does not come near, which tells what it comes to
+/// \throws NumericalError  an iteration does not converge; a target is not reached (the message gives the value reached)
 void controlLoads(const CommPtr& comm, Scene& scene, const std::vector<SubdomainMesh>& meshes, Monitor& monitor);
 
-/// Check of the verdict: how far controlled loads are from their targets, relative to these. Collective.
+/// Check of the verdict: relative distance of controlled loads from their targets. Collective.
 Check targetCheck(const Comm& comm, const Scene& scene, const std::vector<SubdomainMesh>& meshes, const Solution& solution);
 
 }  // namespace suture

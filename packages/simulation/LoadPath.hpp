@@ -12,27 +12,27 @@
 
 namespace suture {
 
-/// A scene on its path of load steps: what its loads, prescribed displacements and pairs are at a time, the histories of the pairs, and
-/// what the steps so far have come to.
+/// A scene during its load steps: loads, prescribed displacements and pairs at a given time, the histories of the pairs, and the results
+/// of the steps so far.
 class LoadPath {
  public:
   /// \param parts  on rank 0. Collective.
   LoadPath(const Comm& comm, const LoadSteps& steps, const PrescribedParts& parts);
 
-  /// Sets factors of the loads, values of the rules, and gaps and histories of the pairs to those of a step that ends at a time.
-  /// \param constraints  the same for a method that needs the whole mesh; may be empty. Local.
+  /// Sets load factors, rule values, and gaps and histories of the pairs for a step that ends at `time`.
+  /// \param constraints  the same data for a method that needs the whole mesh; may be empty. Local.
   void setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) const;
 
-  /// The next step begins where a solution ended. \param pairs  of the solution, on rank 0;  \param forces  that act on each body then, or
-  /// empty. Collective.
+  /// Makes a solution the start of the next step. \param pairs  of the solution, on rank 0;  \param forces  acting on each body at its end,
+  /// or empty. Collective.
   void accept(const std::vector<PairResult>& pairs, const std::vector<BodyForces>& forces);
-  /// Goes on from a checkpoint.
+  /// Continues from a checkpoint.
   void goOnFrom(PathState state);
-  /// For a checkpoint.
+  /// State for a checkpoint.
   PathState state(const std::vector<PairResult>& pairs) const;
 
   const LoadSteps& steps() const { return steps_; }
-  /// Largest forces on each body, of the steps so far; empty: not known.
+  /// Largest forces on each body over the steps so far; empty if unknown.
   const std::vector<BodyForces>& carried() const { return carried_; }
   double time() const { return rows.empty() ? 0.0 : rows.back().time; }
 

@@ -14,7 +14,7 @@ namespace suture {
 
 namespace {
 
-/// "Path=value; Path=value" of one level.
+/// The overrides "Path=value; Path=value" of one level.
 std::vector<std::string> overridesOf(const std::string& level) {
   std::vector<std::string> all;
   std::size_t begin = 0;

@@ -9,11 +9,11 @@ namespace suture {
 
 class Monitor;
 
-/// The scene files of the coarser levels of `Outer Solver/Start = Nested`, the coarsest first; none for another start. Each is the scene
-/// with the changes that its text in `Outer Solver/Nested/Levels` names. Local. \throws InputError  a level that is no scene
+/// The scene files of the coarser levels of `Outer Solver/Start = Nested`, coarsest first; empty for any other start. Each level is the
+/// scene with the overrides listed in `Outer Solver/Nested/Levels`. Local. \throws InputError  a level is not a valid scene
 std::vector<SceneFile> nestedLevels(const SceneFile& file);
 
-/// Solves the scene on each of its levels, one from the other, and carries the last answer to these meshes. Collective.
+/// Solves the scene on each level, starting each from the previous one, and interpolates the last solution to `meshes`. Collective.
 /// \param scene  with levels  \throws NumericalError  a level does not converge
 Start startFromLevels(const CommPtr& comm, const Scene& scene, const std::vector<SubdomainMesh>& meshes, Monitor& monitor);
 

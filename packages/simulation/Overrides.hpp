@@ -4,11 +4,11 @@
 
 namespace suture {
 
-/// "Path/To/Parameter" of "Path / To/Parameter = value": blanks around names mean nothing. Local.
+/// "Path/To/Parameter" of "Path / To/Parameter = value"; blanks around names are ignored. Local.
 std::string overridePath(const std::string& assignment);
 
-/// Adds an assignment to those that the reader is given, in place of an earlier one of the same parameter: the reader itself takes two of
-/// one parameter for a slip. Local.
+/// Adds an assignment, replacing an earlier one of the same parameter: the reader would reject two assignments of one parameter as a
+/// mistake. Local.
 void setOverride(std::vector<std::string>& overrides, const std::string& assignment);
 
 }  // namespace suture

@@ -49,7 +49,7 @@ void checkElements(const Comm& comm, const std::vector<SubdomainMesh>& meshes, c
 void checkSolvability(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                       const Partition& partition) {
   collectivelyOnRoot(comm, "checking that the scene has a solution", [&] {
-    ElasticModel resolved = model;  // suture_partition comes here before the mesh is cut
+    ElasticModel resolved = model;  // suture_partition calls this before the mesh is partitioned
     resolveLoads(mesh, resolved);
     checkSolvability(mesh, constraints, resolved, partition.bodiesAreConnected);
   });

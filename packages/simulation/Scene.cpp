@@ -25,13 +25,13 @@ ContactScales scalesOf(const ElasticModel& model, const Parameters& settings) {
   return {compliance, unitsOf(settings).length};
 }
 
-/// Name of a load or an elastic support, or its place. \param kind  of list, for names that are places
+/// Name of a load or an elastic support, or its index if unnamed. \param kind  of list, for the latter
 template <typename Entry>
 std::string nameOf(const Entry& entry, std::size_t place) {
   return entry.name.empty() ? std::to_string(place + 1) : entry.name;
 }
 
-/// A load as a condition: its place is checked as that of the others.
+/// A load as a condition: its location is checked as that of the others.
 Condition conditionOf(const Load& load, const std::string& name) {
   Condition condition;
   condition.name = name;
@@ -53,18 +53,18 @@ Condition conditionOf(const ElasticSupport& support, const std::string& name) {
   return condition;
 }
 
-/// Assignments that would say again what the objects of the scene say: nobody would hear them.
+/// Refuses assignments to parameters that the objects of the scene define, because they would have no effect.
 void refuseObjects(const std::vector<std::string>& settings, Problems& problems) {
   const std::set<std::string> objects{"Model",   "Mesh",      "Bodies",    "Materials",     "Boundary Conditions",
                                       "Contact", "Constants", "Functions", "Exact Solution"};
   for (const std::string& assignment : settings) {
     const std::string path = assignment.substr(0, assignment.find('='));
     const std::string list = path.substr(0, path.find('/'));
-    if (objects.count(list)) problems.add(path, "a scene made in C++ has it from its objects: model, mesh, conditions, contacts");
+    if (objects.count(list)) problems.add(path, "a scene made in C++ defines it by its objects: model, mesh, conditions, contacts");
   }
 }
 
-/// Lists of the scene file that later stages look up by the contacts' names, and the record of a run.
+/// Adds the contacts to the scene's parameters: later stages look them up by name, and the record of a run needs them.
 void record(const std::vector<Contact>& contacts, Parameters& list, Problems& problems) {
   std::set<std::string> names;
   for (const Contact& contact : contacts) {
@@ -84,7 +84,7 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   scene.file = parseScene("<ParameterList name=\"Suture\"/>", "a scene made in C++", settingsSchema(), settings);
   Problems problems;
   refuseObjects(settings, problems);
-  if (model.bodies.empty()) problems.add("ElasticModel::bodies", "there are none: ElasticModel::addBody() adds one");
+  if (model.bodies.empty()) problems.add("ElasticModel::bodies", "the list is empty: add bodies with ElasticModel::addBody()");
   checkLoads(model, problems);
   record(contacts, scene.file.parameters->sublist("Contact"), problems);
   problems.throwIfAny();

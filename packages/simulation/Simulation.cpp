@@ -49,7 +49,7 @@ void Simulation::writeInto(const std::string& folder) {
 
 const Solution& Simulation::solve() {
   if (order_.has(StageOrder::Judged)) return solution_;
-  if (isCoupled()) throw InternalError("solve() of a coupled scene: solveAgain() solves it");
+  if (isCoupled()) throw InternalError("solve() on a coupled scene: call solveAgain()");
   read();
   cut();
   check();
@@ -150,7 +150,7 @@ std::string Simulation::inWords(const Overlap& overlap, bool drawn) const {
   return suture::inWords(overlap, scene_.model.bodies, scene_.contacts, drawn, unitsOf(scene_.settings()).length);
 }
 
-/// Warns of overlaps that the solution has made, or made half as deep again.
+/// Warns of overlaps that the solution created or deepened by half.
 void Simulation::noteOverlaps() {
   if (!solution_.converged || !overlapSearch_) return;
   const std::vector<Overlap> found = timed(timers_, "verify", [&] { return overlapSearch_->find(*comm_, solution_.displacement); });
@@ -179,7 +179,7 @@ void Simulation::start(const std::string& restart) {
 }
 
 void Simulation::iterate() {
-  if (isCoupled()) throw InternalError("iterate() of a coupled scene: solveAgain() solves it");
+  if (isCoupled()) throw InternalError("iterate() on a coupled scene: call solveAgain()");
   order_.make(StageOrder::Prepared, StageOrder::Solved, "iterate", [&] {
     if (followsPath()) {
       followPath();
@@ -192,7 +192,7 @@ void Simulation::iterate() {
 }
 
 const Solution& Simulation::solution() const {
-  if (!order_.has(StageOrder::Solved)) throw InternalError("solution() before iterate(): there is none");
+  if (!order_.has(StageOrder::Solved)) throw InternalError("solution() before iterate()");
   return solution_;
 }
 
@@ -204,7 +204,7 @@ void Simulation::judgeSolution() {
   const Subdomains subdomains = method_->takeSubdomains();
   method_.reset();
   if (!isJudged_ && (!followsPath() || path_->rows.empty())) judge(solution_, subdomains);
-  // Once in a run: of load steps and coupled solves it is the same mesh.
+  // Once per run: load steps and coupled solves share the mesh.
   estimateMesh(*comm_, cut_.meshes, subdomains, scene_, solution_, timers_);
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
   for (const std::string& note : meshNotes(solution_)) monitor_.note(note);
@@ -275,13 +275,13 @@ std::string Simulation::summary(const Invocation& invocation) const {
 }
 
 RunResult Simulation::report(const Invocation& invocation) {
-  if (!output_) throw InternalError("a simulation reports without a folder: writeInto() comes first");
+  if (!output_) throw InternalError("report() without an output folder: call writeInto() first");
   if (!isJudged_) order_.require(StageOrder::Judged, StageOrder::Judged, "report");
   giveBackFreedMemory();  // for the files
   const ExitCode code = ending();
   const Parameters& output = scene_.settings().sublist("Output");
-  // First: who asked for the stop may not wait for the rest.
-  const bool isKept = followsPath() && !path_->rows.empty();  // that of the last step
+  // First, because a stop request must be honoured before the remaining steps.
+  const bool isKept = followsPath() && !path_->rows.empty();  // by the last step
   if (!isKept && (code != ExitCode::Done || output.get<bool>("Checkpoint"))) writeState(solution_);
   const Run run = this->run(solution_, invocation);
   const Written written = writeReport(run, code);

@@ -22,60 +22,61 @@ namespace suture {
 /// How a run ended.
 struct RunResult {
   ExitCode code = ExitCode::Done;
-  std::string failure = {};  ///< why it did not converge
-  std::string summary = {};  ///< on rank 0: the text of summary.json; empty if nothing was written
+  std::string failure = {};  ///< reason if the run did not converge
+  std::string summary = {};  ///< text of summary.json, on rank 0; empty if nothing was written
 };
 
-/// The whole way from a scene to its answer. solve() goes it in one call:
+/// All stages from a scene to its solution. solve() runs them in one call:
 ///
 ///     const Solution solution = Simulation(comm, scene).solve();
 ///
-/// Programs that do something between the stages call these one by one, in the order in which they stand here: read(), cut(), check(),
-/// prepare(), iterate(), judge(), each of them once; another order is an InternalError. Nothing is printed but what a monitor prints, and
-/// nothing is written without writeInto(). All functions are collective, but for those that return what is known.
+/// Programs that need to act between the stages call them one by one, each once, in the order of declaration: read(), cut(), check(),
+/// prepare(), iterate(), judge(); any other order is an InternalError. Only the monitor prints, and files are written only after
+/// writeInto(). All functions are collective, except the const accessors.
 /// \throws Error  of any kind, the same on all ranks
 class Simulation {
  public:
-  /// Silent.
+  /// Without output to the console.
   Simulation(const CommPtr& comm, Scene scene);
   /// \param monitor, timers  must outlive it
   Simulation(const CommPtr& comm, Scene scene, RunMonitor& monitor, Timers& timers);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Takes an output folder and locks it: the files of a run go there, and checkpoints while it solves, if the settings ask for them.
+  /// Creates and locks the output folder. The files of a run are written there, and checkpoints during the solution if the settings request
+  /// them.
   /// \throws EnvironmentError
   void writeInto(const std::string& folder);
 
-  /// All stages but report(). Called again, it returns the same solution.
+  /// Runs all stages except report(). A second call returns the same solution.
   const Solution& solve();
 
-  /// Mesh and constraints, if a later stage needs them whole.
+  /// Reads mesh and constraints, if a later stage needs the whole mesh.
   void read();
-  /// Subdomains on their ranks, and what loads are on them.
+  /// Creates the subdomains on their ranks, with their loads.
   void cut();
   /// Refuses elements that lock, scenes without a solution, exact solutions without a value, probes outside the
-  /// bodies, runs larger than the memory.
+  /// bodies, and runs that exceed the memory.
   void check();
-  /// Finds the amounts of controlled loads, takes rigid motions out of the scene, assembles and factors.
+  /// Finds the amounts of controlled loads, removes prescribed rigid motions from the scene, assembles and factors.
   void prepare();
-  /// Notes for the user on the cut and on the settings.
+  /// Adds notes on the partition and on the settings.
   void remark();
-  /// Finds where to begin: the checkpoint of an earlier run of this mesh, or, if `restart` is empty, the answers of the scene's levels.
+  /// Sets the initial guess: the checkpoint of an earlier run on this mesh, or, if `restart` is empty, a nested start from Scene::levels.
   void start(const std::string& restart = "");
-  /// Begins there instead.
+  /// Sets another initial guess.
   void startFrom(Start start);
-  /// Solves; a scene with load steps step after step, each of them judged, its fields and a checkpoint written.
+  /// Solves. With load steps, each step is verified, and its fields and a checkpoint are written.
   void iterate();
-  /// Settles what the solution leaves free, measures its errors, verifies it. The last stage that computes: it frees what was factored.
+  /// Settles undetermined motions, computes errors and verifies the solution. Last computing stage: it frees all factors.
   void judge();
-  /// Writes the results, and the last lines of the monitor's console.
+  /// Writes the results, and the last lines of the console.
   /// \param invocation  for the record
   RunResult report(const Invocation& invocation = {});
-  /// Text of summary.json on rank 0, elsewhere nothing; after judge(). Nothing is written.
+  /// Text of summary.json on rank 0, empty on other ranks; after judge(). Writes no file.
   std::string summary(const Invocation& invocation = {}) const;
 
-  /// Couples the scene to another program, which loads a side group or moves it, and changes that from solve to solve:
+  /// Couples the scene to another program that loads or moves a side group and changes these values from solve to solve:
   ///
   ///     const CouplingSurface surface = simulation.coupling("block_top");
   ///     for (...) {
@@ -84,27 +85,27 @@ class Simulation {
   ///       displacements = simulation.displacements(surface);
   ///     }
   ///
-  /// Reads and cuts the scene, unless that was done. Before prepare(); for as many groups as there are. Rigid motions are not taken out of
-  /// a coupled scene, as of one with load steps.
-  /// \throws InputError  an unknown group (nearest name); a scene with load steps or controlled loads
+  /// Reads and cuts the scene if that is not done yet. Call before prepare(), once per group. Prescribed rigid motions are not removed from
+  /// a coupled scene, nor from a scene with load steps.
+  /// \throws InputError  an unknown group (suggests the nearest name); a scene with load steps or controlled loads
   CouplingSurface coupling(const std::string& group);
-  /// Forces on the surface's nodes from now on: nodes x dimension, node-major, Cartesian [force]; at first zero. They add to the loads of
-  /// the scene. \throws InputError  a wrong number of values, or one that is not finite
+  /// Sets the forces on the surface's nodes: nodes x dimension, node-major, Cartesian [force]; initially zero. They are added to the loads
+  /// of the scene. \throws InputError  a wrong number of values, or a value that is not finite
   void setForces(const CouplingSurface& surface, const std::vector<double>& forces);
-  /// The same from tractions at the nodes, interpolated by the shape functions [stress].
+  /// Sets the forces from tractions at the nodes, interpolated by the shape functions [stress].
   void setTractions(const CouplingSurface& surface, const std::vector<double>& tractions);
-  /// Displacements of the surface's nodes from now on, along the components that a condition of the scene prescribes there: others stay
-  /// free [length]. \throws InputError  as for forces; nodes in a contact
+  /// Sets the displacements of the surface's nodes in the components that a condition of the scene prescribes there; the other components
+  /// stay free [length]. \throws InputError  as for forces; nodes in a contact
   void setDisplacements(const CouplingSurface& surface, const std::vector<double>& displacements);
-  /// Solves with the loads as they are now; the first time after all stages that come before. What was factored stays, but of methods that
-  /// cannot reload (Condensed Groups, Monolithic), and the last answer is the start.
+  /// Solves with the present loads; the first call runs all earlier stages. Factors are kept, except by methods that cannot reload
+  /// (Condensed Groups, Monolithic), and the last solution is the initial guess.
   /// \param verified  calls verify(), which takes about a third of the time of a solve
   const Solution& solveAgain(bool verified = true);
-  /// Judges the last answer as judge() does, and keeps what was factored: motions that it leaves free, errors, verdict, extremes.
+  /// Judges the last solution as judge() does, but keeps the factors: undetermined motions, errors, verdict, extremes.
   const Solution& verify();
-  /// Takes the last answer as the end of a step: with friction, pairs slip on from there. Without friction it changes nothing.
+  /// Accepts the last solution as the end of a step: with friction, slip continues from there. No effect without friction.
   void advance();
-  /// Displacements of the surface's nodes at the last answer, in the order of forces; zero before it [length]. Local.
+  /// Displacements of the surface's nodes in the last solution, ordered as the forces; zero before the first solution [length]. Local.
   std::vector<double> displacements(const CouplingSurface& surface) const;
 
   const Scene& scene() const { return scene_; }
@@ -151,7 +152,7 @@ class Simulation {
   RunMonitor& monitor_;
   Timers& timers_;
   std::string folder_;
-  std::unique_ptr<const RunFolder> output_;  // null: nothing is written
+  std::unique_ptr<const RunFolder> output_;  // null: no files are written
   std::unique_ptr<Method> method_;
   bool isWhole_;  // rank 0 holds the whole mesh until prepare()
   Mesh mesh_;
@@ -159,16 +160,16 @@ class Simulation {
   CutMesh cut_;
   ProblemSize size_;
   double megabytes_ = 0.0;
-  double liftWork_ = 0.0;  // work of the loads in the motions taken out, which the method's energies lack
+  double liftWork_ = 0.0;  // work of the loads in the motions removed, missing in the method's energies
   std::optional<Start> start_;
-  std::unique_ptr<LoadPath> path_;    // null: neither load steps nor a coupling
+  std::unique_ptr<LoadPath> path_;    // null: neither load steps nor coupling
   std::unique_ptr<WorkMeter> meter_;  // on a path
   std::unique_ptr<const OverlapSearch> overlapSearch_;
   std::vector<Overlap> drawnOverlaps_;
-  Doubts doubts_;           // on a path: of its steps
-  std::string unfinished_;  // why the path ended before its end; empty: it did not
-  bool brokeDown_ = false;  // the last trial of a step left nothing behind
-  PathState restart_;       // path of a checkpoint, before it is taken up
+  Doubts doubts_;           // of the load steps
+  std::string unfinished_;  // why the path ended early; empty: it did not
+  bool brokeDown_ = false;  // the last trial of a step left no solution
+  PathState restart_;       // path of a checkpoint, until it is continued
   Solution solution_;
   StageOrder order_;
   bool isJudged_ = false;  // by solveAgain()

@@ -5,7 +5,7 @@ namespace suture {
 
 namespace {
 
-/// Function that makes a stage.
+/// Name of the function that runs a stage.
 std::string functionOf(StageOrder::Stage stage) {
   switch (stage) {
     case StageOrder::Nothing:
@@ -29,8 +29,8 @@ std::string functionOf(StageOrder::Stage stage) {
 }  // namespace
 
 void StageOrder::require(Stage least, Stage most, const std::string& function) const {
-  const std::string order = ": the stages of a simulation are read(), cut(), check(), prepare(), iterate(), judge(), each of them once";
-  if (!failed_.empty()) throw InternalError(function + "() after " + failed_ + "(), which failed: make another simulation");
+  const std::string order = "; expected order: read(), cut(), check(), prepare(), iterate(), judge(), each once";
+  if (!failed_.empty()) throw InternalError(function + "() after " + failed_ + "(), which failed: create a new Simulation");
   if (done_ < least) throw InternalError(function + "() before " + functionOf(least) + order);
   if (done_ > most) throw InternalError(function + "() after " + functionOf(done_) + order);
 }

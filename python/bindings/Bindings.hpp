@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Nothing of the bindings is seen from outside; registries of the library are those of the whole process.
+/// Hides the symbols of the bindings; the registries of the library stay visible to the whole process.
 #define SUTURE_HIDDEN __attribute__((visibility("hidden")))
 
 namespace suture {
@@ -14,10 +14,10 @@ namespace SUTURE_HIDDEN python {
 
 namespace py = pybind11;
 
-/// The communicator of an mpi4py one. The caller keeps it alive.
+/// The communicator of an mpi4py communicator, which the caller must keep alive.
 CommPtr commOf(const py::object& comm);
 
-/// An array that shows values of a C++ object without copying them; it keeps the object alive and cannot be written to.
+/// A read-only array that exposes values of a C++ object without a copy and keeps the object alive.
 /// \param strides  bytes between neighbours along each axis
 template <typename T>
 py::array_t<T> view(const T* first, const std::vector<py::ssize_t>& shape, const std::vector<py::ssize_t>& strides,
@@ -26,7 +26,7 @@ py::array_t<T> view(const T* first, const std::vector<py::ssize_t>& shape, const
   array.attr("flags").attr("writeable") = false;
   return array;
 }
-/// The same of values that follow each other, the last axis first.
+/// The same for contiguous values in row-major order.
 template <typename T>
 py::array_t<T> view(const T* first, const std::vector<py::ssize_t>& shape, const py::object& owner) {
   std::vector<py::ssize_t> strides(shape.size(), sizeof(T));

@@ -1,4 +1,4 @@
-// Errors of the library as exceptions, with the same text and the exit code that a program would end with.
+// Errors of the library as exceptions, with the text and the exit code of the programs.
 #include <pybind11/stl.h>
 #include <suture/base/Errors.hpp>
 
@@ -11,7 +11,7 @@ namespace {
 struct Classes {
   PyObject *error, *input, *numerical, *environment, *internal;
 };
-Classes classes{};  // live as long as the process
+Classes classes{};  // never freed
 
 void raise(PyObject* type, const Error& error) {
   py::object value = py::reinterpret_borrow<py::object>(type)(std::string(error.what()));
@@ -34,12 +34,13 @@ PyObject* addClass(py::module_& module, const char* name, PyObject* base, const 
 }  // namespace
 
 void bindErrors(py::module_& module) {
-  classes.error = addClass(module, "Error", PyExc_RuntimeError, "Base of all errors; `code` is the exit code of a program that meets it.");
+  classes.error = addClass(module, "Error", PyExc_RuntimeError, "Base of all errors; `code` is the exit code that a program would return.");
   classes.input = addClass(module, "InputError", classes.error,
-                           "What is wrong with a scene, its mesh or its groups: `problems` has all, a path and a message each.");
+                           "Errors in a scene, its mesh or its groups; `problems` lists all, each as a path and a message.");
   classes.numerical = addClass(module, "NumericalError", classes.error, "Not converged, or a breakdown.");
-  classes.environment = addClass(module, "EnvironmentError", classes.error, "The machine: no memory, a folder that cannot be written to.");
-  classes.internal = addClass(module, "InternalError", classes.error, "A bug of the library.");
+  classes.environment =
+      addClass(module, "EnvironmentError", classes.error, "An error of the environment: no memory, a folder that is not writable.");
+  classes.internal = addClass(module, "InternalError", classes.error, "A bug in the library.");
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

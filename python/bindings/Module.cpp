@@ -1,4 +1,4 @@
-// The extension module of the Python package: what suture/__init__.py is made of.
+// The extension module of the Python package, wrapped by suture/__init__.py.
 #include <mpi4py/mpi4py.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -10,7 +10,7 @@
 #include "../../drivers/support/MpiStart.hpp"
 #include "Together.hpp"
 
-// The symbol of a library that is not in the process is absent.
+// Null if the library is not loaded.
 extern "C" {
 void openblas_set_num_threads(int) __attribute__((weak));
 void omp_set_num_threads(int) __attribute__((weak));
@@ -26,7 +26,7 @@ CommPtr commOf(const py::object& comm) {
 
 namespace {
 
-/// As a program begins: the ranks are the parallelism, and Kokkos runs. MPI is mpi4py's.
+/// Initialises as a program does: one thread per rank, and Kokkos. MPI is initialised by mpi4py.
 void begin() {
   if (omp_set_num_threads && !std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
   if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
@@ -34,7 +34,7 @@ void begin() {
   int argc = 1;
   char name[] = "python", *arguments[] = {name, nullptr}, **argv = arguments;
   Tpetra::initialize(&argc, &argv);
-  // Before mpi4py ends MPI.
+  // Registered to run before mpi4py finalises MPI.
   py::module_::import("atexit").attr("register")(py::cpp_function([] {
     interpreterEnds();
     Tpetra::finalize();
@@ -45,7 +45,7 @@ void begin() {
 
 PYBIND11_MODULE(_suture, module) {
   {
-    // The import begins MPI, unless the user's program has done so before: then the settings come too late and change nothing.
+    // The import initialises MPI, unless the user's program has already done so; then the settings have no effect.
     const MpiStart start;
     if (import_mpi4py() < 0) throw py::error_already_set();
     begin();

@@ -20,7 +20,7 @@ SceneFile parsed(const std::string& text, const std::string& name, const std::st
 
 PythonRun::Parts::Parts(const CommPtr& ranks, bool shows)
     : comm(ranks), meeting(*ranks), monitor(shows && ranks->getRank() == 0 ? &std::cout : nullptr, false) {
-  monitor.stopWhen(endIsWanted);  // Ctrl-C ends a run after the iteration in hand
+  monitor.stopWhen(endIsWanted);  // Ctrl-C ends a run after the current iteration
 }
 
 PythonRun::PythonRun(const py::object& comm, const std::string& text, const std::string& name, const std::string& folder,

@@ -11,38 +11,38 @@
 namespace suture {
 namespace SUTURE_HIDDEN python {
 
-/// A scene on its way to the answer, and the answer.
+/// A simulation of a scene, with its solution.
 class PythonRun {
  public:
-  /// Collective. \param text  of the scene, XML;  \param name  of it, in messages;  \param folder  that its relative names start from
+  /// Collective. \param text  of the scene, XML;  \param name  for messages;  \param folder  base of relative file names
   /// \param shows  prints the table of the run
   PythonRun(const py::object& comm, const std::string& text, const std::string& name, const std::string& folder,
             const std::vector<std::string>& overrides, bool shows);
-  /// Leaves its vectors where they are once the interpreter has ended: an object in a global variable dies after all that could free them.
+  /// Does not free its vectors after the interpreter has ended: an object in a global variable outlives the libraries that free them.
   ~PythonRun();
   PythonRun(const PythonRun&) = delete;
   PythonRun& operator=(const PythonRun&) = delete;
 
-  /// The whole way. Collective. \param output  folder of the files; none without one  \param restart  a checkpoint to begin with, or ""
+  /// Runs all stages. Collective. \param output  folder of the files, if any  \param restart  initial checkpoint, or ""
   void solve(const std::optional<std::string>& output, const std::string& restart);
 
-  /// Solves with loads as they are now (Simulation::coupling). Collective. \param verified  judges the answer
+  /// Solves with the present loads (Simulation::coupling). Collective. \param verified  verifies the solution
   void solveAgain(bool verified);
 
-  /// Something that all ranks do with the simulation: an exception of one is one of all (together()). Collective.
+  /// Calls a collective function of the simulation; an exception on one rank is raised on all (together()). Collective.
   void doTogether(const std::function<void(Simulation&)>& way);
 
   const Simulation& simulation() const { return *parts_->simulation; }
   bool isDone() const { return simulation().ending() == ExitCode::Done; }
   int exitCode() const { return static_cast<int>(simulation().ending()); }
-  /// Why it is not done.
+  /// Reason if it is not done.
   std::string failure() const;
   const std::string& summary() const { return summary_; }  ///< text of summary.json, on rank 0
   const std::vector<std::string>& notes() const { return parts_->monitor.notes(); }
   std::vector<OuterRow> history() const { return parts_->monitor.rows(); }
 
  private:
-  /// What knows MPI and Kokkos.
+  /// Members that depend on MPI and Kokkos.
   struct Parts {
     CommPtr comm;
     MeetingPoint meeting;
@@ -53,7 +53,7 @@ class PythonRun {
     Parts(const CommPtr& ranks, bool shows);
   };
 
-  py::object held_;  // mpi4py's communicator
+  py::object held_;  // the mpi4py communicator
   std::unique_ptr<Parts> parts_;
   std::string summary_;
 };

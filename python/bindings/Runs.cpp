@@ -1,4 +1,4 @@
-// Runs and their answers: numpy arrays that show what the library holds.
+// Runs and their solutions, exposed as numpy arrays without copies.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 #include <Teuchos_ParameterList.hpp>
@@ -23,7 +23,7 @@ class Subdomain {
   py::array connectivity() const { return view(mesh().connectivity.data(), {size(mesh().connectivity)}, run_); }
   py::array offsets() const { return view(mesh().offsets.data(), {size(mesh().offsets)}, run_); }
 
-  /// Without a copy, unless the rigid motion of a body has been taken out of it.
+  /// Without a copy, unless a prescribed rigid motion was removed from it.
   py::array displacement() const {
     const Vector& own = simulation().solution().displacement[place_];
     if (mesh().lift.motion.size() == 0) return view(own.data(), {mesh().nodes(), mesh().dimension}, run_);
@@ -82,7 +82,8 @@ std::vector<Subdomain> subdomainsOf(const py::object& run) {
 }
 
 void bindPairs(py::module_& module) {
-  py::class_<Pairs> pairs(module, "Pairs", "State of all contact pairs, on rank 0; elsewhere none. Arrays show the library's own values.");
+  py::class_<Pairs> pairs(module, "Pairs",
+                          "State of all contact pairs, on rank 0; empty on other ranks. Arrays expose the library's values.");
   pairs.def("__len__", &Pairs::count);
   const auto add = [&pairs](const char* name, auto value, const char* doc) {
     pairs.def_property_readonly(
@@ -91,25 +92,25 @@ void bindPairs(py::module_& module) {
   pairs.def_property_readonly("status", &Pairs::status, "0 open, 1 closed and sliding, 2 closed and stuck");
   add("pair", &PairResult::id, "number of the pair");
   add("node", &PairResult::node, "number in the mesh of the node that carries the pair");
-  add("contact", &PairResult::line, "number of the contact in Result.contacts");
-  add("piece", &PairResult::piece, "number of the connected piece of contact");
+  add("contact", &PairResult::line, "index of the contact in Result.contacts");
+  add("piece", &PairResult::piece, "number of the connected contact piece");
   add("initial_gap", &PairResult::initialGap, "gap of the undeformed bodies [length]");
-  add("gap", &PairResult::gap, "gap, positive where the pair is open [length]");
-  add("force", &PairResult::force, "normal force, positive where it presses [force]");
-  add("pressure", &PairResult::pressure, "force by tributary length or area [stress]");
+  add("gap", &PairResult::gap, "gap, positive if the pair is open [length]");
+  add("force", &PairResult::force, "normal force, positive in compression [force]");
+  add("pressure", &PairResult::pressure, "force over tributary length or area [stress]");
   add("tributary", &PairResult::length, "tributary length or area of the pair");
   add("arc_length", &PairResult::arc, "arc length along the contact [length]");
   add("dissipated_work", &PairResult::dissipated, "work of friction [energy]");
-  add("bound", &PairResult::bound, "largest tangential force; 0 where the law sets none [force]");
-  add("position", &PairResult::position, "place of the undeformed node [length]");
+  add("bound", &PairResult::bound, "largest tangential force; 0 if the law sets none [force]");
+  add("position", &PairResult::position, "position of the undeformed node [length]");
   add("displacement", &PairResult::displacement, "displacement of the node [length]");
   add("normal", &PairResult::normal, "unit normal from side A to side B");
   add("tangential_force", &PairResult::tangential, "tangential force on side B [force]");
-  add("slip", &PairResult::slip, "part of u_A - u_B along the sides [length]");
+  add("slip", &PairResult::slip, "tangential part of u_A - u_B [length]");
 }
 
 void bindSubdomain(py::module_& module) {
-  py::class_<Subdomain>(module, "Subdomain", "A subdomain of this rank: its mesh and the answer on it.")
+  py::class_<Subdomain>(module, "Subdomain", "A subdomain of this rank, with its mesh and solution.")
       .def_property_readonly("id", [](const Subdomain& self) { return self.mesh().id; })
       .def_property_readonly("name", [](const Subdomain& self) { return self.mesh().name; })
       .def_property_readonly("body", &Subdomain::body, "name of its body")
@@ -117,12 +118,11 @@ void bindSubdomain(py::module_& module) {
       .def_property_readonly("nodes", &Subdomain::nodes, "numbers of its nodes in the mesh")
       .def_property_readonly("coordinates", &Subdomain::coordinates, "nodes x dimension [length]")
       .def_property_readonly("elements", &Subdomain::elementNumbers, "numbers of its elements in the mesh")
-      .def_property_readonly("connectivity", &Subdomain::connectivity,
-                             "nodes of element e, numbered here: connectivity[offsets[e]:offsets[e + 1]]")
+      .def_property_readonly("connectivity", &Subdomain::connectivity, "local nodes of element e: connectivity[offsets[e]:offsets[e + 1]]")
       .def_property_readonly("offsets", &Subdomain::offsets, "elements + 1")
       .def_property_readonly("displacement", &Subdomain::displacement, "nodes x dimension [length]")
       .def_property_readonly("stress", &Subdomain::stress,
-                             "at centroids: elements x 4 (xx, yy, zz, xy), in space x 6 (xx, yy, zz, xy, yz, xz) [stress]")
+                             "at centroids: elements x 4 (xx, yy, zz, xy), in 3D x 6 (xx, yy, zz, xy, yz, xz) [stress]")
       .def_property_readonly("von_mises", &Subdomain::vonMises, "of each element [stress]");
 }
 
@@ -141,13 +141,13 @@ void bindHistory(py::module_& module) {
 
 using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Values as Simulation takes them: of any shape, node by node. \throws py::error_already_set  they are no numbers
+/// Values as a list, node by node, from an array of any shape. \throws py::error_already_set  they are not numbers
 std::vector<double> listOf(const py::object& values) {
   const Values all(values);
   return {all.data(), all.data() + all.size()};
 }
 
-/// Gives a run values at a surface. Those of all ranks are known to be numbers before any rank begins: what follows is collective.
+/// Sets values at a surface. Converts the values on all ranks before the collective call, so that an error cannot leave ranks waiting.
 template <void (Simulation::*give)(const CouplingSurface&, const std::vector<double>&)>
 void given(PythonRun& run, const CouplingSurface& at, const py::object& values) {
   std::vector<double> numbers;
@@ -164,17 +164,17 @@ void bindSurface(py::module_& module) {
     return view(values.data(), {static_cast<py::ssize_t>(values.size())}, self);
   };
   py::class_<CouplingSurface> surface(module, "Surface",
-                                      "Nodes of a side group at which another program acts on a scene: those that this rank owns.");
+                                      "Nodes of a side group through which another program acts on a scene: those owned by this rank.");
   surface.def_readonly("group", &CouplingSurface::group);
   const auto add = [&surface](const char* name, auto member, auto shape, const char* doc) {
     surface.def_property_readonly(
         name, [=](const py::object& self) { return shape(self, self.cast<const CouplingSurface&>().*member); }, doc);
   };
   add("nodes", &CouplingSurface::nodes, list, "numbers in the mesh, ascending");
-  add("areas", &CouplingSurface::areas, list, "integrals of the shape functions: forces of a unit traction");
+  add("areas", &CouplingSurface::areas, list, "integrals of the shape functions, i.e. forces of a unit traction");
   add("coordinates", &CouplingSurface::coordinates, matrix, "nodes x dimension [length]");
   add("normals", &CouplingSurface::normals, matrix,
-      "integrals of the shape functions times the outward normal: a pressure p pushes with -p times these");
+      "integrals of the shape functions times the outward normal: a pressure p gives the forces -p * normals");
 }
 
 /// Displacements of a surface's nodes, nodes x dimension.

@@ -1,4 +1,4 @@
-// Strategies written in Python: slow, for experiments. They enter the registries as those of a plugin do.
+// Strategies written in Python, for experiments: they are slow. They are registered like those of a plugin.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 #include <Teuchos_ParameterList.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 using Defaults = std::map<std::string, double>;
 
-/// The function behind a name; another one may take its place. Never freed: registries outlive the interpreter.
+/// Functions by name; a function may be replaced. Never freed, since registries outlive the interpreter.
 std::map<std::string, py::object>& functions() {
   static auto* all = new std::map<std::string, py::object>;
   return *all;
@@ -22,7 +22,7 @@ std::map<std::string, py::object>& functions() {
 
 Schema schemaOf(const std::string& doc, const Defaults& defaults) {
   Schema schema(doc);
-  for (const auto& [name, value] : defaults) schema.real(name, value, "Given to the function.");
+  for (const auto& [name, value] : defaults) schema.real(name, value, "Passed to the function.");
   return schema;
 }
 
@@ -32,7 +32,7 @@ py::dict valuesOf(const Parameters& own, const Defaults& defaults) {
   return values;
 }
 
-/// What a function returned, as numbers. \throws InputError  it is not that: says what it is
+/// The result of a function as numbers. \throws InputError  it cannot be converted; names its type
 template <typename Numbers>
 Numbers numbersOf(const py::object& found, const std::string& kind, const std::string& expected) {
   try {
@@ -57,7 +57,7 @@ class PythonWeighting : public DiagonalWeighting {
             local.hint(Hint::kYoungModulus).cols() > 0 ? py::cast(Vector(local.hint(Hint::kYoungModulus).col(0))) : py::none());
     const auto found = numbersOf<Vector>(called(function_, kind(), py::make_tuple(boundary), own_), kind(), "a weight for each unknown");
     if (!found.allFinite() || (found.size() > 0 && found.minCoeff() < 0.0))
-      throw InputError(kind(), "the Python function returned weights that are negative or no numbers");
+      throw InputError(kind(), "the Python function returned weights that are negative or not numbers");
     if (found.size() != local.size())
       throw InputError(kind(), "the Python function returned " + std::to_string(found.size()) + " weights for " +
                                    std::to_string(local.size()) + " unknowns");
@@ -78,7 +78,7 @@ std::unique_ptr<MaterialLaw> lawOf(const py::object& function, const py::dict& o
   return std::make_unique<GivenLaw>(stiffness);
 }
 
-/// \param make  strategy from function and parameters
+/// \param make  creates the strategy from function and parameters
 template <typename Base, typename Make>
 void registerFunction(const std::string& name, const py::object& function, const Defaults& defaults, const Make& make) {
   const std::string key = std::string(Base::kind()) + '/' + name;

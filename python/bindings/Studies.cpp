@@ -1,4 +1,4 @@
-// Studies, as suture_study runs them.
+// Runs studies as suture_study does.
 #include <pybind11/stl.h>
 #include <Teuchos_Comm.hpp>
 

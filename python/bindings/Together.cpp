@@ -1,4 +1,4 @@
-// Exceptions of one rank become exceptions of all.
+// Makes an exception of one rank an exception on all ranks.
 #include "Together.hpp"
 
 #include <pybind11/iostream.h>
@@ -11,7 +11,7 @@ namespace suture::python {
 
 namespace {
 
-/// The exception that Python waits for, while C++ works. One a process: never freed, since it may outlive the interpreter.
+/// The pending Python exception while C++ works. One per process; never freed, since it may outlive the interpreter.
 std::optional<py::error_already_set>& kept() {
   static auto* one = new std::optional<py::error_already_set>;
   return *one;
@@ -24,16 +24,16 @@ std::string textOf(const py::error_already_set& error) {
   return nameOf(error) + (text.empty() ? "" : ": " + text);
 }
 
-/// SystemExit, KeyboardInterrupt: no error, but the wish to end.
+/// SystemExit, KeyboardInterrupt: not an error, but a request to end.
 bool isWish(const py::error_already_set& error) { return !error.matches(PyExc_Exception); }
 
-bool isBySignal = false;  // the one that is kept
+bool isBySignal = false;  // refers to the kept exception
 
 void keep(py::error_already_set&& error) {
   if (!kept() || (isWish(error) && !isWish(*kept()))) kept().emplace(std::move(error));
 }
 
-/// An exception as bytes: itself, or, where it cannot be pickled, a RuntimeError with its text.
+/// An exception as bytes; if it cannot be pickled, a RuntimeError with its text.
 std::string pickled(const py::error_already_set& error, int rank, bool& isItself) {
   const py::object pickle = py::module_::import("pickle");
   const auto bytes = [&](const py::object& value) { return std::string(py::bytes(pickle.attr("dumps")(value))); };
@@ -48,7 +48,7 @@ std::string pickled(const py::error_already_set& error, int rank, bool& isItself
   }
 }
 
-/// Raises the exception that the lowest rank keeps, on all. Nothing where none does. Collective.
+/// Raises the exception kept by the lowest rank on all ranks, if there is one. Collective.
 void raiseKept(const Comm& comm) {
   std::optional<py::error_already_set> own;
   own.swap(kept());
@@ -146,7 +146,7 @@ void bindTogether(py::module_& module) {
         together(*ranks, [&] { result = make(); });
         return result;
       },
-      "What make() returns on this rank; an exception on any rank is one on all.");
+      "Returns the result of make() on this rank; an exception on any rank is raised on all.");
 }
 
 }  // namespace suture::python

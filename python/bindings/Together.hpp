@@ -8,28 +8,28 @@
 namespace suture {
 namespace SUTURE_HIDDEN python {
 
-/// Runs `work`, a collective piece of it, and meets the other ranks after it: an exception on any of them, of the library or of Python
-/// (sys.exit and Ctrl-C among them), is the same exception on all. A rank that leaves `work` alone, while the others wait for it inside,
-/// ends all after two seconds (MeetingPoint). Collective.
+/// Runs `work`, which may be collective, and then meets the other ranks: an exception on any rank, from the library or from Python
+/// (including sys.exit and Ctrl-C), becomes the same exception on all. A rank that leaves `work` alone, while the others wait inside, ends
+/// all ranks after two seconds (MeetingPoint). Collective.
 void together(const Comm& comm, const MeetingPoint& meeting, const std::function<void()>& work);
-/// The same, with a meeting point of its own.
+/// The same, with a new meeting point.
 void together(const Comm& comm, const std::function<void()>& work);
 
-/// Calls a function of the user. What it raises is kept for together(), and goes through the library as an Error with the same text. Local.
-/// \param kind  what the function is, for messages  \throws InputError
+/// Calls a user function. An exception that it raises is kept for together(), and passes through the library as an Error with the same
+/// text. Local. \param kind  of the function, for messages  \throws InputError
 py::object called(const py::object& function, const std::string& kind, const py::tuple& arguments, const py::dict& named);
 
-/// True once the user wants the run to end: by Ctrl-C, or by sys.exit() in one of his functions. Runs Python's handlers of signals. Local.
+/// True once the user requests the end of the run, by Ctrl-C or by sys.exit() in a user function. Runs Python's signal handlers. Local.
 bool endIsWanted();
 
-/// Errors of the user's functions that a study has told in its table are no errors of the study. Local.
+/// Drops kept exceptions of user functions that a study has already reported in its table. Local.
 void dropErrorsOfRuns();
 
-/// The interpreter ends: objects that hold vectors of the library are left as they are from now on, since what would free them has ended.
+/// Marks the end of the interpreter: from now on, objects that hold vectors of the library do not free them.
 void interpreterEnds();
 bool interpreterHasEnded();
 
-/// Standard output goes to sys.stdout while it lives, unless that is closed.
+/// Redirects standard output to sys.stdout during its lifetime, unless that is closed.
 class ToPythonsOutput {
  public:
   ToPythonsOutput();

@@ -1,17 +1,17 @@
-"""Suture from Python: scenes of elastic bodies in contact, solved on the communicator of the caller.
+"""Suture from Python: solves scenes of elastic bodies in contact on an MPI communicator of the caller.
 
     import suture
     result = suture.solve("tunnel.xml", set={"Outer Solver/Tolerance": 1e-10})
     print(result.summary["energy"], result.pairs.pressure.max())
 
-All functions are collective over the communicator. What is wrong is an exception, on all ranks, with the text that the programs print.
+All functions are collective over the communicator. Errors are raised as exceptions on all ranks, with the text that the programs print.
 """
 import json
 import os
 
-os.environ.setdefault("HWLOC_HIDE_ERRORS", "2")  # MPI asks hwloc, which prints where a machine has no /sys
+os.environ.setdefault("HWLOC_HIDE_ERRORS", "2")  # MPI uses hwloc, which prints errors on machines without /sys
 
-from . import _suture  # noqa: E402  (begins MPI, if nobody has: before mpi4py)
+from . import _suture  # noqa: E402  (initialises MPI if necessary, therefore before mpi4py)
 from mpi4py import MPI  # noqa: E402
 
 from ._suture import EnvironmentError, Error, InputError, InternalError, NumericalError  # noqa: A004
@@ -26,7 +26,7 @@ OPEN, SLIP, STICK = 0, 1, 2  # Pairs.status; closed pairs without friction slip
 
 
 class NotConverged(NumericalError):
-    """The run ended without an answer that holds; `result` has what it found."""
+    """The run ended without a valid solution; `result` contains what it found."""
 
     def __init__(self, result):
         super().__init__(result.failure)
@@ -35,9 +35,9 @@ class NotConverged(NumericalError):
 
 
 class Result:
-    """The answer of a run. Arrays show the values of the library itself: they are there as long as one of them is, and are not written to.
+    """The solution of a run. Arrays are read-only and expose the values of the library, which live as long as any of the arrays.
 
-    `summary`: what summary.json holds, on all ranks; `converged`, `exit_code`, `failure`; `energy`; `notes`;
+    `summary`: content of summary.json, on all ranks; `converged`, `exit_code`, `failure`; `energy`; `notes`;
     `subdomains`: meshes, displacements and stresses of this rank; `pairs`: all contact pairs, on rank 0; `contacts`: their names;
     `history`: the outer iterations; `gather(root)`: fields of the whole mesh."""
 
@@ -53,7 +53,7 @@ class Result:
 
 
 def _scene(scene, comm):
-    """Text, name and folder of a scene that is no dictionary, the same on all ranks. An error of one rank is one of all."""
+    """Text, name and folder of a scene that is not a dictionary, the same on all ranks. An error on rank 0 is raised on all."""
     if scene.lstrip().startswith("<"):
         return scene, "the scene", ""
     path, text, problem = scene, None, None
@@ -77,11 +77,11 @@ def _run(scene, comm, changes, show):
 
 
 def solve(scene, comm=None, set=None, output=None, restart="", show=False, check=True):  # noqa: A002
-    """Solves a scene: a file, the text of one, or a dictionary with its names. Collective.
+    """Solves a scene: a file, its text, or a dictionary with the names of a scene file. Collective.
 
-    comm: an mpi4py communicator, by default the world; set: parameters to change, {"Path/To/Parameter": value}; output: folder for the
-    files of a run (none are written without one); restart: a checkpoint to begin with; show: prints the table of the run.
-    Raises NotConverged where the answer does not hold, unless check is False; InputError, EnvironmentError, ... as they are met."""
+    comm: an mpi4py communicator, default: COMM_WORLD; set: parameters to change, {"Path/To/Parameter": value}; output: folder for the
+    files of a run (default: no files); restart: checkpoint to start from; show: prints the table of the run.
+    Raises NotConverged if there is no valid solution, unless check is False; InputError, EnvironmentError, ... for other errors."""
     comm = MPI.COMM_WORLD if comm is None else comm
     run = _run(scene, comm, set, show)
     run.solve(*_suture.together(comm, lambda: (None if output is None else os.fspath(output), os.fspath(restart))))
@@ -92,8 +92,8 @@ def solve(scene, comm=None, set=None, output=None, restart="", show=False, check
 
 
 class Coupling:
-    """A scene that another program loads or moves at side groups, and solves again and again: every factor is kept, and the last answer is
-    the start of the next.
+    """A scene coupled to another program that loads or moves side groups and solves repeatedly: factors are kept, and each solve starts
+    from the previous solution.
 
         coupling = suture.Coupling("block.xml")
         surface = coupling.surface("block_top")     # nodes of this rank: nodes, coordinates, areas, normals
@@ -108,23 +108,23 @@ class Coupling:
         self._run = _run(scene, self.comm, set, show)
 
     def surface(self, group):
-        """Nodes of a side group. Before the first solve; for as many groups as there are. Collective, as all that follow."""
+        """Nodes of a side group. Call before the first solve, once per group. Collective, as all following functions."""
         return self._run.coupling(group)
 
     def set_forces(self, surface, forces):
-        """Forces on the nodes from now on, beside the loads of the scene: nodes x dimension [force]."""
+        """Sets the forces on the nodes, in addition to the loads of the scene: nodes x dimension [force]."""
         self._run.set_forces(surface, forces)
 
     def set_tractions(self, surface, tractions):
-        """The same from tractions at the nodes [stress]."""
+        """Sets the forces on the nodes from tractions at the nodes [stress]."""
         self._run.set_tractions(surface, tractions)
 
     def set_displacements(self, surface, displacements):
-        """Displacements of the nodes from now on, along what a condition of the scene prescribes there [length]."""
+        """Sets the displacements of the nodes, in the components that a condition of the scene prescribes [length]."""
         self._run.set_displacements(surface, displacements)
 
     def solve(self, verified=True, check=True):
-        """Solves with the loads as they are now. Raises NumericalError where the answer does not hold, unless check is False."""
+        """Solves with the present loads. Raises NumericalError if the solution is not valid, unless check is False."""
         self._run.solve_again(verified)
         if check and verified and not self._run.is_done:
             error = NumericalError(self._run.failure)
@@ -132,11 +132,11 @@ class Coupling:
             raise error
 
     def advance(self):
-        """Takes the last answer as the end of a step: with friction, pairs slip on from there."""
+        """Accepts the last solution as the end of a step: with friction, slip continues from there."""
         self._run.advance()
 
     def displacements(self, surface):
-        """Displacements of the nodes at the last answer: nodes x dimension [length]."""
+        """Displacements of the nodes in the last solution: nodes x dimension [length]."""
         return self._run.displacements(surface)
 
     @property
@@ -155,7 +155,7 @@ class Coupling:
 def study(file, comm=None, set=None, only=(), output="", show=False):  # noqa: A002
     """Runs a study file as suture_study does, into its folder. Collective.
 
-    Returns the rows of its table, as dictionaries, on all ranks, and the exit code: 0, or 4 where a run failed or a band is missed."""
+    Returns the rows of its table as dictionaries, on all ranks, and the exit code: 0, or 4 if a run failed or a band was missed."""
     comm = MPI.COMM_WORLD if comm is None else comm
     given = _suture.together(comm, lambda: (os.fspath(file), os.fspath(output), assignments(set), list(only)))
     code, folder = _suture.run_study(comm, *given, not show)
@@ -171,7 +171,7 @@ def study(file, comm=None, set=None, only=(), output="", show=False):  # noqa: A
 
 
 def load_plugins(*paths):
-    """Loads libraries with strategies of one's own, as --plugin does."""
+    """Loads libraries with user-defined strategies, like --plugin."""
     _suture.load_plugins([os.fspath(path) for path in paths])
 
 
@@ -183,7 +183,7 @@ def _register(register, name, parameters):
 
 
 def _named(function):
-    """Parameters of a scene ("Young Modulus") as arguments of a function (young_modulus)."""
+    """Passes parameters of a scene ("Young Modulus") as arguments of a function (young_modulus)."""
     import functools
 
     @functools.wraps(function)
@@ -193,19 +193,19 @@ def _named(function):
 
 
 def weighting(name, **parameters):
-    """Makes a function a weighting, `Weighting` = name: weights of a subdomain's unknowns on the interface, positive. For experiments.
+    """Registers a function as a weighting, `Weighting` = name: positive weights of a subdomain's interface unknowns. For experiments.
 
         @suture.weighting("Tempered", exponent=0.5)
         def tempered(local, exponent):
             return local.stiffness_diagonal ** exponent
 
-    local: size, stiffness_diagonal, young_modulus (None where there is none). Parameters, with their defaults, are read from the scene
-    ("Exponent"). A name may be given again: the last function counts."""
+    local: size, stiffness_diagonal, young_modulus (None if undefined). Parameters are read from the scene ("Exponent") and have the
+    defaults given here. If a name is registered again, the last function is used."""
     return lambda function: _register(_suture.register_weighting, name, parameters)(_named(function)) and function
 
 
 def material(name, **parameters):
-    """Makes a function the law of a material, `Type` = name: its stiffness, 6 x 6, in the order xx, yy, zz, xy, yz, xz. For experiments.
+    """Registers a function as a material law, `Type` = name: its 6 x 6 stiffness in the order xx, yy, zz, xy, yz, xz. For experiments.
 
         @suture.material("Isotropic By Shear", shear_modulus=1.0, bulk_modulus=2.0)
         def law(shear_modulus, bulk_modulus): ...

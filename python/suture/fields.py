@@ -1,12 +1,12 @@
-"""Fields of a whole mesh, gathered from the ranks."""
+"""Fields of the whole mesh, gathered from the ranks."""
 import numpy
 
 
 class Fields:
-    """Nodes and elements of a mesh in the order of their numbers, with the answer at them.
+    """Nodes and elements of a mesh in the order of their numbers, with the solution.
 
-    `coordinates`, `displacement`: nodes x dimension [length]; `stress`: elements x 4 (xx, yy, zz, xy), in space x 6
-    (xx, yy, zz, xy, yz, xz), at centroids; `von_mises`: elements [stress]; `body`, `subdomain`: number by element, names of bodies in
+    `coordinates`, `displacement`: nodes x dimension [length]; `stress`: elements x 4 (xx, yy, zz, xy), in 3D x 6
+    (xx, yy, zz, xy, yz, xz), at centroids; `von_mises`: elements [stress]; `body`, `subdomain`: number per element, names of bodies in
     `bodies`; `cells`: node numbers of each element."""
 
     def __init__(self, parts):
@@ -35,6 +35,6 @@ def _part(subdomain):
 
 
 def gather(result, root=0):
-    """The fields of the whole mesh on one rank, None on the others. Collective."""
+    """The fields of the whole mesh on one rank, None on other ranks. Collective."""
     parts = result.comm.gather([_part(subdomain) for subdomain in result.subdomains], root=root)
     return Fields([part for of_rank in parts for part in of_rank]) if parts is not None else None

@@ -1,11 +1,11 @@
-"""Scenes as dictionaries: the names and the nesting of a scene file."""
+"""Scenes as dictionaries, with the names and nesting of a scene file."""
 from xml.sax.saxutils import quoteattr
 
 import numpy
 
 
 def _value(value, where):
-    """Type and text of a parameter, as a scene file has them."""
+    """Type and text of a parameter, as in a scene file."""
     if isinstance(value, (bool, numpy.bool_)):
         return "bool", "true" if value else "false"
     if isinstance(value, (int, numpy.integer)):
@@ -20,11 +20,11 @@ def _value(value, where):
         if kinds == {"int", "double"}:
             kinds = {"double"}
         if "string" in kinds and kinds <= {"string", "int", "double"}:
-            kinds = {"string"}  # expressions, some of which are constants
+            kinds = {"string"}  # expressions, including constant ones
         if len(kinds) > 1 or kinds & {"bool"} or any(kind.startswith("Array") for kind in kinds):
-            raise TypeError("%s: a list is one of numbers or one of texts" % where)
+            raise TypeError("%s: a list must contain only numbers or only texts" % where)
         return "Array(%s)" % (kinds.pop() if kinds else "string"), "{%s}" % ", ".join(text for _, text in parts)
-    raise TypeError("%s: a parameter is a bool, a number, a text, a list of these or a dictionary, not %s" % (where, type(value).__name__))
+    raise TypeError("%s: a parameter must be a bool, number, text, list of these or dictionary, not %s" % (where, type(value).__name__))
 
 
 def _lines(name, entries, depth, where):
@@ -41,10 +41,10 @@ def _lines(name, entries, depth, where):
 
 
 def to_xml(scene):
-    """Text of the scene file that a dictionary stands for. Entries of None are left out."""
+    """Text of the scene file for a dictionary. Entries of None are left out."""
     return "\n".join(_lines("Suture", scene, 0, "")) + "\n"
 
 
 def assignments(values):
-    """Changes of parameters {"Outer Solver/Tolerance": 1e-10} as those of --set."""
+    """Parameters to change, {"Outer Solver/Tolerance": 1e-10}, as assignments of --set."""
     return ["%s=%s" % (path, _value(value, path)[1]) for path, value in (values or {}).items()]

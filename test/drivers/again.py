@@ -86,12 +86,12 @@ planted("a contact that the run has not", 4, lambda s: s["reactions"]["contacts"
 planted("a looser tolerance allows more", 0, lambda s: (scaled(1 + 1e-6)(s), s["parameters"]["Outer Solver"].update({"Tolerance": "1e-7"})))
 
 # Refused.
-planted("another version of the format", 3, lambda s: s["format"].update(version=2), "has the format 2")
+planted("another version of the format", 3, lambda s: s["format"].update(version=2), "has format 2")
 planted("the summary of an earlier Suture", 3, lambda s: s.pop("format"), "an earlier version")
 planted("a summary without its record", 3, lambda s: s.pop("record"), "damaged")
-planted("a scene made in C++", 3, lambda s: s["record"].update(scene=None), "is no file")
+planted("a scene made in C++", 3, lambda s: s["record"].update(scene=None), "is not a file")
 planted("a run that was stopped", 3, lambda s: s.update(exit_code=75), "--restart")
-planted("another mesh", 3, lambda s: s.update(mesh_hash="0123456789abcdef"), "another mesh")
+planted("another mesh", 3, lambda s: s.update(mesh_hash="0123456789abcdef"), "is not the mesh of the run")
 for name, content in (("no JSON", "<xml/>"), ("JSON, but a list", "[1, 2]"), ("JSON, but no summary", '{"a": 1}'), ("an empty file", "")):
     (work / "strange.json").write_text(content)
     code, text = solve(2, "--again", work / "strange.json")
@@ -112,7 +112,7 @@ check("a scene file with a comment more", (code, "none of its parameters" in tex
 scene.write_text(sceneText.replace('"Young Modulus" type="double" value="', '"Young Modulus" type="double" value="1'))
 check("(the scene of this test is another now)", scene.read_text() != sceneText, True)
 code, text = solve(2, "--again", first)
-check("a parameter that has changed is named", (code, " in the scene now, " in text and " when the run was made" in text), (3, True))
+check("a parameter that has changed is named", (code, " in the scene now, " in text and " in the original run" in text), (3, True))
 scene.unlink()
 code, text = solve(2, "--again", first)
 check("a scene that is gone", (code, "bracket.xml: cannot be read" in text), (3, True))
@@ -121,7 +121,7 @@ geometry.write_text(geometryText + "// changed\n")
 check("a geometry with a comment more", solve(1, "--again", first)[0], 0)
 geometry.write_text(geometryText + "Mesh.MeshSizeFactor = 1.5;\n")
 code, text = solve(2, "--again", first)
-check("another geometry", (code, "another mesh" in text and "'bracket.geo'" in text), (3, True))
+check("another geometry", (code, "is not the mesh of the run" in text and "'bracket.geo'" in text), (3, True))
 
 # A run that went on from a checkpoint, with a plugin.
 plugin = work / "plugin.so"
@@ -140,5 +140,5 @@ check("a plugin that is gone", (code, "plugin.so' cannot be read" in text), (3, 
 shutil.copy(options.plugin, plugin)
 shutil.copy(work / "first" / "summary.json", work / "before" / "checkpoint.h5")
 code, text = solve(2, "--again", work / "after")
-check("a checkpoint that has changed", (code, "has changed since the run began with it" in text), (3, True))
+check("a checkpoint that has changed", (code, "has changed since the run started from it" in text), (3, True))
 finish()

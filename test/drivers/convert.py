@@ -218,16 +218,16 @@ for name, cells in sources.items():
     check(f"{name}: the groups again", {key: found.get(key) for key in ("lower", "Upper", "top")}, {key: expected(cells)[key] for key in ("lower", "Upper", "top")})
 
 for name, text, complaint in (
-        ("bad.inp", "*NODE\n1, 0, x\n", "line 2: expected the number of a node and its coordinates, found '1, 0, x'"),
+        ("bad.inp", "*NODE\n1, 0, x\n", "line 2: expected a node number and its coordinates, found '1, 0, x'"),
         ("part.inp", "*PART, NAME=a\n*NODE\n1, 0, 0\n", "noPartsInputFile"),
         ("solid.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=C3D15\n1, 1, 1, 1, 1\n", "solid elements of the type C3D15; known are C3D4, C3D5,"),
-        ("node.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n", "element 1 has the node 2, which no *NODE before it defines"),
+        ("node.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n", "element 1 has the node 2, which no preceding *NODE defines"),
         ("set.inp", "*NODE\n1, 0, 0\n*NSET, NSET=a\nb\n", "no such NSET 'b' before this line"),
         ("empty.inp", "", "no surface elements"),
-        ("lifted.inp", "*NODE\n1, 0, 0, 0\n2, 1, 0, 1\n3, 0, 1, 0\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n", "thick in z"),
+        ("lifted.inp", "*NODE\n1, 0, 0, 0\n2, 1, 0, 1\n3, 0, 1, 0\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n", "in z but no volume elements"),
         ("nan.inp", "*NODE\n1, 0, nan\n2, 1, 0\n3, 0, 1\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n", "not finite"),
         ("open.unv", "    -1\n  2411\n", "the dataset does not end"), ("bad.unv", "    -1\n  2411\n 1 1 1 1\n 0 0 0\n 2 a\n    -1\n", "line 5: cannot be read as dataset 2411"),
-        ("bad.exo", "garbage", "is no Exodus file"), ("bad.med", "garbage", "meshio cannot read it"), ("bad.vtu", "garbage", "meshio cannot read it"),
+        ("bad.exo", "garbage", "is not an Exodus file"), ("bad.med", "garbage", "meshio cannot read it"), ("bad.vtu", "garbage", "meshio cannot read it"),
         ("a.xyz", "garbage", "meshio cannot read it")):
     (work / name).write_text(text)
     code, said = convert(work / name, work / "out.h5")

@@ -275,7 +275,7 @@ pair.elements[1][9] = pair.elements[1][4]
 through_meshio(pair, work / "wrong.vtu")
 code, text = forked(options.convert, work / "wrong.vtu", work / "wrong.h5")
 check("nodes that do not lie between their vertices",
-      (code, "the nodes of elements of the kind 'tetra10' between their vertices do not lie there" in text), (3, True))
+      (code, "the mid-side nodes of elements of the kind 'tetra10' are not between their vertices" in text), (3, True))
 meshio.write(work / "other.vtu", meshio.Mesh(np.zeros((18, 3)), [("wedge18", np.arange(18).reshape(1, 18))]))
 code, text = forked(options.convert, work / "other.vtu", work / "other.h5")
 check("a shape that Suture does not have", (code, "1 of the kind 'wedge18'; known are" in text), (3, True))

@@ -68,7 +68,7 @@ for name in ("dissipated_work", "force sole x", "force sole y"):
     check(name + " as without a stop", a / b - 1, lambda e: abs(e) < 1e-2)  # other steps: the path is not the same
 code, text, _ = run(1, "stopped", "--restart", str(work / "stopped" / "checkpoint.h5"))
 check("exit code at the end of the path", code, 3)
-check("message for it", "the checkpoint is at t = 1.25, and the last step ends at t = 1.25" in text, True)
+check("message for it", "the checkpoint is at t = 1.25, but the last step ends at t = 1.25" in text, True)
 
 # A scene without load steps into the same folder.
 code, text = harness.run(options.solve, 1, SCENE.parents[1] / "sliding_pad" / "sliding_pad.xml", "--output", work / "stopped")

@@ -75,7 +75,7 @@ def runs(geometry, ranks, *words):
     model = ["--model", "Axisymmetric"] if name in AXISYMMETRIC else []
     code, text, path = new(geometry, *model, *words, "--force", scene=f"{name}.xml")
     check(f"{name}: a scene", code, 0)
-    found = {contact: float(depth) for contact, depth in re.findall(r"contact: (.*), drawn to overlap by ([^ ,]+)", text)}
+    found = {contact: float(depth) for contact, depth in re.findall(r"contact: (.*), overlap of ([^ ,]+)", text)}
     check(f"{name}: overlaps are told", found, lambda told: told.keys() == OVERLAPS.get(name, {}).keys() and
           all(abs(depth - OVERLAPS[name][contact]) < .02 * depth for contact, depth in told.items()))
     check(f"{name}: all is held", "does not run yet" in text, False)
@@ -148,7 +148,7 @@ for name, (bodies, contacts, gap) in KNOWN.items():
     root = xml.parse(path).getroot()
     check(f"{name}: bodies", sorted(e.get("name") for e in sublists(root, "Bodies")), bodies)
     check(f"{name}: contacts", {(parameter(e, "Side A"), parameter(e, "Side B")) for e in sublists(root, "Contact")}, contacts)
-    told = [float(word) for word in re.findall(r"least distance (\S+)", text)]
+    told = [float(word) for word in re.findall(r"minimum distance (\S+)", text)]
     check(f"{name}: the least distance is told", told, lambda found: all(abs(one - gap) < .01 * max(gap, 1e-12) for one in found))
     again = path.read_text()
     new(INPUT / name / f"{name}.geo", "--force", ranks=1, scene=f"{name}.xml")
@@ -162,7 +162,7 @@ for name in ("loose_roller", "pile_of_discs", "shaft_in_plates", "shrink_fit"):
     runs(HERE / f"{name}.geo", (2,))
 
 code, text, path = new(INPUT / "tunnel" / "tunnel.geo", scene="tunnel.xml")
-check("an existing scene is kept", (code, "--force to overwrite" in text), (3, True))
+check("an existing scene is kept", (code, "overwrite it with --force" in text), (3, True))
 
 # Two blocks that share nodes, and a third beside them that touches one side of both.
 GEO = """
@@ -185,7 +185,7 @@ code, text, path = new(geometry, scene="joined.xml")
 root = xml.parse(path).getroot()
 check("a group of all of it is the body", sorted(e.get("name") for e in sublists(root, "Bodies")), ["both", "lid"])
 check("its parts are offered as regions", [f'name="Group" type="string" value="{part}"' in path.read_text() for part in "ab"], [True, True])
-check("sides without a name that face another body are told", "with sides in no curve group: name these" in text, True)
+check("sides without a name that face another body are told", "with sides in no curve group: name them" in text, True)
 
 # Two blocks in space, one on the other.
 geometry = options.work / "stack.geo"
@@ -201,7 +201,7 @@ check("a scene in space", (code, "2 bodies, 3 surface groups, 1 contact proposed
 root = xml.parse(path).getroot()
 check("its model", parameter(root, "Model"), "Solid")
 check("its contact", [(parameter(e, "Side A"), parameter(e, "Side B")) for e in sublists(root, "Contact")], [("lower_top", "upper_bottom")])
-check("the gap is told", re.findall(r"least distance (\S+)", text), ["0.25"])
+check("the gap is told", re.findall(r"minimum distance (\S+)", text), ["0.25"])
 held = [e for e in sublists(root, "Boundary Conditions") if parameter(e, "Type") == "Displacement"]
 check("its support", [(parameter(e, "Group"), parameter(e, "Value")) for e in held][:1], [("lower_bottom", "{0, 0, 0}")])
 check("its groups are listed", re.findall(r"surface +lower_top  on lower, from (.*) to (.*), .* area (\S+)", path.read_text()), [("(0, 0, 1)", "(2, 1, 1)", "2")])

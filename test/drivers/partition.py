@@ -69,7 +69,7 @@ for ranks in (1, 2):
     check(f"np{ranks}: cut for other materials, which share a curve otherwise: exit code and list", (code, "Materials: changed since" in text),
           (3, True))
     code, text = run(options.solve, ranks, SCENE, "--output", work / "other", *PARTITIONED)
-    check(f"np{ranks}: a scene that generates its mesh: exit code and why", (code, "needs a Mesh/File of suture_partition" in text), (3, True))
+    check(f"np{ranks}: a scene that generates its mesh: exit code and why", (code, "needs a Mesh/File written by suture_partition" in text), (3, True))
     (work / "short.h5").write_bytes((work / "cut2.h5").read_bytes()[:-3000])
     code, text = run(options.solve, ranks, readingFrom(work / "short.h5"), "--output", work / "other", *PARTITIONED)
     check(f"np{ranks}: a truncated file: exit code and name", (code, "short.h5" in text), (3, True))

@@ -124,9 +124,9 @@ def same_numbers(name, tree, summary):
     for key, found in summary["contact"]["by_piece"].items():
         check(f"{name}: piece {key}", row(tree, "contact", key), [found["active"], found["pairs"], found["max_pressure"], found["max_gap"]])
     if summary["outer"]["solver"]:
-        check(f"{name}: iterations", (row(tree, "convergence", "outer iterations"), row(tree, "convergence", "PCG iterations in all of them")),
+        check(f"{name}: iterations", (row(tree, "convergence", "outer iterations"), row(tree, "convergence", "total PCG iterations")),
               ([summary["outer"]["iterations"]], [summary["outer"]["pcg_total"]]))
-    check(f"{name}: residual", row(tree, "convergence", "relative residual at the end"), [summary["outer"]["residual"]])
+    check(f"{name}: residual", row(tree, "convergence", "final relative residual"), [summary["outer"]["residual"]])
 
 
 def solved(name, scene, code, *more):
@@ -155,10 +155,10 @@ for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "
     check(f"{name}: provenance", [word for word in (summary["mesh_hash"], *summary["command_line"], *summary["versions"].values())
                                   if word not in said(tree, "provenance")], [])
     if "load_steps" in summary:
-        check(f"{name}: load steps", (row(tree, "steps", "load steps"), row(tree, "steps", "end of the last one, in time")),
+        check(f"{name}: load steps", (row(tree, "steps", "load steps"), row(tree, "steps", "time at the end of the last step")),
               ([summary["load_steps"]["count"]], [summary["load_steps"]["time"]]))
     if more:
-        check(f"{name}: error estimate", row(tree, "error", "of the mesh, estimated from recovered stresses, energy norm"),
+        check(f"{name}: error estimate", row(tree, "error", "discretisation, estimated from recovered stresses, energy norm"),
               [summary["error"]["estimated_energy_norm"], summary["error"]["estimated_energy_norm_relative"]])
 
 # A run that did not converge, and one whose answer is not determined.

@@ -70,7 +70,7 @@ def blocks():
     check("blocks: largest von Mises stress", told(said["von_mises"], "largest von Mises"), agrees(mises.max()))
     # From (1, -1.4, 0.9) one sees x = 10, y = 0 and z = 10.
     seen = (run.fields.points == [10, 0, 10]).any(axis=1)
-    check("blocks: largest von Mises stress on the sides that are seen", told(said["von_mises"], "largest seen"), agrees(mises[seen].max()))
+    check("blocks: largest von Mises stress on the sides that are seen", told(said["von_mises"], "largest visible"), agrees(mises[seen].max()))
     check("blocks: it is inside, and so it is said", "hidden, or inside" in said["von_mises"], True)
     check("blocks: largest tension", told(said["principal_stress"], "largest tension"), agrees(principal.max()))
     check("blocks: largest compression", told(said["principal_stress"], "largest compression"), agrees(principal.min()))
@@ -141,8 +141,8 @@ def program():
     page = (folder / "report.html").read_text(encoding="utf-8")
     check("report: all pictures", [name for name in NAMES if f'id="picture_{name}"' not in page], [])
     check("report: model and cells in words", ("solid: three dimensions" in page, "hexahedra of 8 nodes" in page), (True, True))
-    for given, code, said in ((["--cut", "x=11"], 3, "--cut x=11 passes beside the bodies, which reach from x = 0 to 10"),
-                              (["--zoom", "0,1,0,1"], 3, "--zoom is for plane"),
+    for given, code, said in ((["--cut", "x=11"], 3, "--cut x=11 is outside the bodies, which reach from x = 0 to 10"),
+                              (["--zoom", "0,1,0,1"], 3, "--zoom is for 2D"),
                               (["--cut", "5"], 2, "not of the form x=0.5"), (["--cut", "x=five"], 2, "not of the form x=0.5"),
                               (["--view", "0,0,0"], 2, "not a direction"), (["--view", "1,2"], 2, "not a direction")):
         found, text = forked(options.plot, folder, *given)
@@ -150,7 +150,7 @@ def program():
     summary = json.loads((folder / "summary.json").read_text())
     (folder / "summary.json").write_text(json.dumps({**summary, "dimension": 2}))
     found, text = forked(options.plot, folder, "--view", "1,1,1")
-    check("--view of a plane run", (found, "--view and --cut are for runs in space" in text), (3, True))
+    check("--view of a plane run", (found, "--view and --cut are for 3D runs" in text), (3, True))
 
 
 warnings.simplefilter("error")  # raw text of a library

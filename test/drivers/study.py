@@ -119,7 +119,7 @@ def ends(ranks):
     shutil.copy(options.study, alone / "suture_study")
     code, text = run(alone / "suture_study", 1, TINY, "--output", alone / "out", "--only", "small")
     check("without the script: exit code", code, 0)
-    check("without the script: says so", "no pictures: " in text, True)
+    check("without the script: says so", "no plots: " in text, True)
 
     # Runs that do not converge are rows.
     code, text = run(options.study, ranks, plain, "--output", work / "failed", *FAIL)
@@ -185,7 +185,7 @@ BAD = {
         "Columns: no such column 'outer.iteratoins'. Did you mean 'outer.iterations'?"]),
     "bad_formula": ([("1 * dofs / subdomains", "(1 * dofs / subdomains")], ["Columns: '(1 * dofs / subdomains': expected ')' at the end"]),
     "band_without_limit": ([('<Parameter name="At Most" type="double" value="1e-10"/>', "")], [
-        "Bands/every run converges: compares with nothing"]),
+        "Bands/every run converges: has no bound"]),
     "band_on_no_column": ([('"Column" type="string" value="pull"', '"Column" type="string" value="pulll"')], [
         "Bands/the traction does not depend on the mesh/Column: no such column 'pulll'"]),
     "band_on_no_label": ([("{coarse space=Rigid Modes}", "{coarse space=Rigid Mode}")], [
@@ -194,7 +194,7 @@ BAD = {
         "Where: no such sweep 'coarse spice'. Did you mean 'coarse space'?"]),
     "plot_of_no_column": ([("{condition, pcg}", "{conditon, pcg}")], ["Plots/condition/Y: no such column 'conditon'. Did you mean 'condition'?"]),
     "order_without_limit": ([('<Parameter name="At Least" type="double" value="-1.9176"/>', ""), ('<Parameter name="At Most" type="double" value="-1.9174"/>', "")], [
-        "Orders/unknowns: compares with nothing"]),
+        "Orders/unknowns: has no bound"]),
     "order_of_no_column": ([('<Parameter name="Y" type="string" value="dofs"/>', '<Parameter name="Y" type="string" value="dosf"/>')], [
         "Orders/unknowns/Y: no such column 'dosf'. Did you mean 'dofs'?"]),
     "order_by_no_sweep": ([('name="By" type="Array(string)" value="{coarse space}"/>\n      <Parameter name="At', 'name="By" type="Array(string)" value="{coarse spice}"/>\n      <Parameter name="At')], [

@@ -89,7 +89,7 @@ class Callbacks(unittest.TestCase):
                     found = fault() if failing == WORLD.rank else local.stiffness_diagonal
                     return numpy.full(local.size, numpy.nan) if name == "returns NaN" and failing == WORLD.rank else found
                 with self.subTest(name, rank=failing):
-                    self.same_everywhere(lambda: suture.solve(scene(), set=changes), kind, "no numbers" if name == "returns NaN" else text)
+                    self.same_everywhere(lambda: suture.solve(scene(), set=changes), kind, "not numbers" if name == "returns NaN" else text)
 
     def test_the_exception_of_a_rank_keeps_its_traceback_there(self):
         @suture.material("Failing")
@@ -127,7 +127,7 @@ class Callbacks(unittest.TestCase):
         self.same_everywhere(coupling.advance, suture.InternalError, "advance() before")
         self.same_everywhere(lambda: coupling.energy, suture.InternalError, "solution() before")
         other = suture.Coupling(scene())
-        self.same_everywhere(lambda: other.set_forces(surface, surface.coordinates), suture.InternalError, "has not made")
+        self.same_everywhere(lambda: other.set_forces(surface, surface.coordinates), suture.InternalError, "not from coupling()")
 
     def test_numbers_are_texts_where_a_text_is_wanted(self):
         given = scene()

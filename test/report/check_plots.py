@@ -84,7 +84,7 @@ with tempfile.TemporaryDirectory() as path:
     assert np.allclose(steps.fields.cell_data["VonMises"], 3 * RunFolder(path, 1).fields.cell_data["VonMises"])
     assert RunFolder(path, 2).state == steps.state and "load step 1 of 2, t = 1" in RunFolder(path, 1).state
     assert run(path, "--step", "1")[0] == 0
-    assert "Pictures of fields are those of load step 1 of 2" in Path(path, "report.html").read_text()
+    assert "Plots of fields show load step 1 of 2" in Path(path, "report.html").read_text()
     assert 0.01 < (matplotlib.image.imread(f"{path}/steps.png")[..., :3].min(axis=2) < 0.9).mean() < 0.95
     code, text = run(path, "--step", "3")
     assert code == 3 and "load steps 1 to 2" in text

@@ -353,12 +353,12 @@ TEUCHOS_UNIT_TEST(Coupling, IsRefusedTheSameOnAllRanks) {
   const CouplingSurface surface = simulation.coupling("upper_top"), ground = simulation.coupling("upper_left");
   std::vector<double> forces(2 * surface.nodes.size(), 1.0);
   if (blocks::world()->getRank() == 0) forces.push_back(1.0);
-  says(complaint([&] { simulation.setForces(surface, forces); }), {"coupling 'upper_top'", "values as forces; expected 2 components"});
+  says(complaint([&] { simulation.setForces(surface, forces); }), {"coupling 'upper_top'", "values for forces; expected 2 components"});
   forces.resize(2 * surface.nodes.size());
   if (!forces.empty()) forces.back() = std::nan("");
   says(complaint([&] { simulation.setTractions(surface, forces); }), {"tractions at the node", "expected finite numbers"});
   says(complaint([&] { simulation.setDisplacements(ground, std::vector<double>(2 * ground.nodes.size(), 0.0)); }),
-       {"displacements of nodes in a contact"});
+       {"displacements cannot be prescribed at nodes in a contact"});
   TEST_THROW(simulation.advance(), InternalError);
   TEST_THROW(simulation.verify(), InternalError);
   simulation.solveAgain();
@@ -368,7 +368,7 @@ TEUCHOS_UNIT_TEST(Coupling, IsRefusedTheSameOnAllRanks) {
   Simulation alone(blocks::world(), blocksWith({}, {}));
   TEST_THROW(alone.solveAgain(), InternalError);
   Simulation steps(blocks::world(), blocksWith({}, {"Load Steps/Times={1, 2}"}));
-  says(complaint([&] { steps.coupling("upper_top"); }), {"Load Steps", "in a scene that another program loads"});
+  says(complaint([&] { steps.coupling("upper_top"); }), {"Load Steps", "not available in a coupled scene"});
 }
 
 }  // namespace

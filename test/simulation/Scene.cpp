@@ -144,7 +144,7 @@ TEUCHOS_UNIT_TEST(Scene, IsRefusedWithAllThatIsWrong) {
   says(complaint([&] {
          return makeScene(model(), mesh, held(), {joint}, {"Model=Plane Stress", "Mesh/Generator=Boxes"});
        }),
-       {"Model: a scene made in C++ has it", "Mesh/Generator: a scene made in C++ has it"});
+       {"Model: a scene made in C++ defines it", "Mesh/Generator: a scene made in C++ defines it"});
   says(complaint([&] {
          ElasticModel wrong;
          wrong.loads = {Load::pressure("upper_top", 1.0)};

@@ -88,9 +88,9 @@ TEUCHOS_UNIT_TEST(Stages, NamesTheStageThatIsMissing) {
     }
     return std::string();
   };
-  TEST_EQUALITY(said(stages[5]).find("judge() before iterate(): the stages"), 0u);
+  TEST_EQUALITY(said(stages[5]).find("judge() before iterate(); expected order"), 0u);
   simulation.read();
-  TEST_EQUALITY(said(stages[0]).find("read() after read(): the stages"), 0u);
+  TEST_EQUALITY(said(stages[0]).find("read() after read(); expected order"), 0u);
 }
 
 // A verdict on nothing holds nothing.

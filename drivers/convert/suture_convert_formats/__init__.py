@@ -1,1 +1,1 @@
-"""Readers and writers of suture_convert, one file a format."""
+"""Readers and writers of suture_convert, one file per format."""

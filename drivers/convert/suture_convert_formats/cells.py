@@ -1,4 +1,4 @@
-"""Shapes of elements by meshio's names: vertices, then the nodes between them, in VTK's order, as Suture has them (mesh/Cell.cpp)."""
+"""Shapes of elements by meshio's names. Nodes are in VTK's order as in Suture (mesh/Cell.cpp): vertices, then the nodes between them."""
 import numpy as np
 
 TRIANGLE, SQUARE = [(0, 1), (1, 2), (2, 0)], [(0, 1), (1, 2), (2, 3), (3, 0)]
@@ -6,7 +6,7 @@ CUBE = [*SQUARE, (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
 CUBE_SIDES = [(0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7)]
 TETRAHEDRON = [*TRIANGLE, (0, 3), (1, 3), (2, 3)]
 TETRAHEDRON_SIDES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
-# Places of vertices in a drawing that an exchange of x and y mirrors onto itself.
+# Vertex positions that are invariant under an exchange of x and y.
 PLACES = {"triangle": [(0, 0), (1, 0), (0, 1)], "quad": [(-1, -1), (1, -1), (1, 1), (-1, 1)],
           "tetra": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
           "hexahedron": [(*p, z) for z in (-1, 1) for p in ((-1, -1), (1, -1), (1, 1), (-1, 1))],
@@ -16,11 +16,11 @@ PLACES = {"triangle": [(0, 0), (1, 0), (0, 1)], "quad": [(-1, -1), (1, -1), (1, 
 
 class Cell:
     """
-    number, gmsh  of Suture's Cell, of Gmsh's type
-    vertices      number of them
-    between       vertices around each other node: two of an edge, four of a side, all
-    sides         local nodes of each: vertices counter-clockwise seen from outside, middles, centre
-    mirrored      order of the nodes of the same shape turned round
+    number, gmsh  Suture's Cell, Gmsh's type
+    vertices      number of vertices
+    between       vertices around each other node: two for an edge, four for a side, or all
+    sides         local nodes of each side: vertices counter-clockwise seen from outside, mid-edge nodes, centre
+    mirrored      node order of the reversed shape
     gmsh_order    node i in Gmsh's order is node gmsh_order[i] here
     """
 
@@ -42,7 +42,7 @@ class Cell:
         self.gmsh_order = [*range(self.vertices), *(at[frozenset(around)] for around in order)]
 
 
-FACES = [(0, 3, 2, 1), (0, 1, 5, 4), (0, 4, 7, 3), (1, 2, 6, 5), (2, 3, 7, 6), (4, 5, 6, 7)]  # as Gmsh numbers their centres
+FACES = [(0, 3, 2, 1), (0, 1, 5, 4), (0, 4, 7, 3), (1, 2, 6, 5), (2, 3, 7, 6), (4, 5, 6, 7)]  # in Gmsh's order of their centres
 ALL = tuple(range(8))
 GMSH_CUBE = sorted(tuple(sorted(edge)) for edge in CUBE)
 CELLS = {
@@ -59,19 +59,19 @@ CELLS = {
     "wedge": Cell(10, 6, "wedge", [(0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]),
     "pyramid": Cell(11, 7, "pyramid", [(0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]),
 }
-# Kinds of elements that become something: dimension, nodes.
+# Kinds of elements that are converted: dimension, nodes.
 KINDS = {"vertex": (0, 1), "line": (1, 2), "line3": (1, 3), **{kind: (cell.dimension, cell.nodes) for kind, cell in CELLS.items()}}
 SIDE_KINDS = {(2, 2): "line", (2, 3): "line3", (3, 3): "triangle", (3, 4): "quad", (3, 6): "triangle6", (3, 8): "quad8", (3, 9): "quad9"}
 
 
 def vertices_of(kind):
-    """Number of the first nodes of an element, or of a side, that are vertices."""
+    """Number of vertices of an element or a side; they are its first nodes."""
     return CELLS[kind].vertices if kind in CELLS else 2
 
 
 def in_order(kind, nodes, points):
-    """Nodes of elements in space with those between the vertices in Suture's order, whatever that of the format is: the geometry tells, on
-    the mean of all elements. None: they do not lie between the vertices."""
+    """Nodes of 3D elements with the nodes between vertices in Suture's order, for any order in the file: determined from the geometry, averaged
+    over all elements. None: they are not between the vertices."""
     cell = CELLS[kind]
     if cell.dimension == 2 or not cell.between or not len(nodes):
         return nodes

@@ -18,7 +18,7 @@ SIDES = {"tetra": [(0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1)],
 
 
 def names(file, what, ids, default):
-    """Names of blocks or sets; "<default> <id>" where they have none."""
+    """Names of blocks or sets; "<default> <id>" for unnamed ones."""
     given = [""] * ids
     if what + "_names" in file.variables:
         given = [bytes(np.ma.filled(row, b"\0").tobytes()).split(b"\0")[0].decode("utf-8", "replace").strip() for row in file.variables[what + "_names"][:]]
@@ -34,19 +34,19 @@ def read(path):
     try:
         file = netCDF4.Dataset(path)
     except OSError as error:
-        raise ConvertError(f"{path}: is no Exodus file ({error.strerror or error})") from error
+        raise ConvertError(f"{path}: is not an Exodus file ({error.strerror or error})") from error
     with file:
         file.set_auto_mask(False)
         sizes = {name: len(dimension) for name, dimension in file.dimensions.items()}
         data = file.variables
         if "num_nodes" not in sizes or "num_el_blk" not in sizes:
-            raise ConvertError(f"{path}: is a netCDF file, but none of Exodus (it lacks num_nodes or num_el_blk)")
+            raise ConvertError(f"{path}: is a netCDF file, but not an Exodus file (it lacks num_nodes or num_el_blk)")
         if "coord" in data:
             points = data["coord"][:].T
         else:
             points = np.column_stack([data[name][:] for name in ("coordx", "coordy", "coordz") if name in data])
         mesh = Foreign(points)
-        rows, sides, offset = [], [], []  # of the elements: nodes, vertices of each side, and the number that the first one has
+        rows, sides, offset = [], [], []  # per element: nodes, vertices of each side, number of its first side
         for number, name in enumerate(names(file, "eb", sizes["num_el_blk"], "block"), 1):
             if f"connect{number}" not in data:
                 continue

@@ -1,19 +1,19 @@
-"""A mesh as another program describes it, before it is one of Suture's."""
+"""A mesh as described by another program, before conversion to a Suture mesh."""
 import numpy as np
 
 
 class ConvertError(Exception):
-    """Something wrong with the input: the message names the file, the place and the way out."""
+    """An error in the input: the message names the file, the position and a remedy."""
 
 
 class Foreign:
-    """Points and blocks of elements; elements are counted from 0 through all blocks.
+    """Points and blocks of elements; elements are numbered from 0 through all blocks.
 
     points       points x 3 [length]
-    blocks       list of (kind, elements x nodes): meshio's kind and order of nodes, numbers of points from 0
+    blocks       list of (kind, elements x nodes): meshio's kind and node order, point numbers from 0
     groups       name -> numbers of elements of any dimension
     node_sets    name -> numbers of points
-    side_sets    name -> vertices of each side: two, in space three or four
+    side_sets    name -> vertices of each side: two in 2D, three or four in 3D
     remarks      what was left out
     """
 

@@ -1,4 +1,4 @@
-"""Input files of CalculiX and Abaqus (.inp): nodes, elements, sets and surfaces; all else is passed over."""
+"""Input files of CalculiX and Abaqus (.inp): nodes, elements, sets and surfaces; everything else is ignored."""
 import pathlib
 import re
 
@@ -25,17 +25,17 @@ def sides_of(kind):
 
 
 def kind_of(name):
-    """meshio's name of an element such as CPE4R; letters of its integration follow the number of nodes"""
+    """meshio's name of an element such as CPE4R; letters for the integration follow the number of nodes"""
     return next((kind for pattern, kind in KINDS if re.match(pattern, name)), None)
 
 
 class Reader:
     def __init__(self, path):
         self.path = path
-        self.nodes, self.elements = {}, {}  # by label: place; (kind, labels of nodes)
+        self.nodes, self.elements = {}, {}  # by label: coordinates; (kind, labels of nodes)
         self.sets = {"NSET": {}, "ELSET": {}}
         self.surfaces = {}
-        self.names = {}  # as the file spells them: names know no case
+        self.names = {}  # spelling in the file, since names are case-insensitive
         self.passed = set()
 
     def fail(self, line, message):
@@ -48,7 +48,7 @@ class Reader:
     def lines(self, path, depth=0):
         """(place, words of a data line or keyword line)"""
         if depth > 20:
-            self.fail(0, f"*INCLUDE of {path} in itself")
+            self.fail(0, f"{path} includes itself (*INCLUDE)")
         try:
             text = path.read_text(encoding="utf-8", errors="replace")
         except OSError as error:
@@ -95,20 +95,20 @@ class Reader:
         elif keyword == "SURFACE":
             self.read_surface(options, data, place)
         elif keyword in ("NGEN", "NFILL", "NCOPY", "ELGEN", "ELCOPY"):
-            self.fail(place, f"*{keyword} makes nodes or elements, which is not done here; write them out")
+            self.fail(place, f"*{keyword} generates nodes or elements, which is not supported; write them out")
 
     def integers(self, number, words):
         try:
             return [int(word) for word in words if word]
         except ValueError:
-            self.fail(number, f"expected whole numbers, found '{', '.join(words)}'")
+            self.fail(number, f"expected integers, found '{', '.join(words)}'")
 
     def read_nodes(self, options, data):
         for number, words in data:
             try:
                 label, place = int(words[0]), [float(word) for word in words[1:4] if word]
             except ValueError:
-                self.fail(number, f"expected the number of a node and its coordinates, found '{', '.join(words)}'")
+                self.fail(number, f"expected a node number and its coordinates, found '{', '.join(words)}'")
             if len(place) < 2:
                 self.fail(number, f"node {label} has {len(place)} coordinates; expected two or three")
             self.nodes[label] = place + [0.0] * (3 - len(place))
@@ -134,7 +134,7 @@ class Reader:
             label, nodes = numbers[first], numbers[first + 1:first + each]
             for node in nodes:
                 if node not in self.nodes:
-                    self.fail(place, f"element {label} has the node {node}, which no *NODE before it defines")
+                    self.fail(place, f"element {label} has the node {node}, which no preceding *NODE defines")
             self.elements[label] = (kind, nodes)
             if "ELSET" in options:
                 self.sets["ELSET"].setdefault(self.called(options["ELSET"]), []).append(label)

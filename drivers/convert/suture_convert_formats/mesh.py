@@ -1,14 +1,14 @@
-"""The mesh of Suture that is in a Foreign one: elements turned the right way round, groups of elements and of boundary sides."""
+"""Converts a Foreign mesh to a Suture mesh: orientation of elements, groups of elements and of boundary sides."""
 import numpy as np
 
 from .cells import CELLS, KINDS, in_order, sizes_of, vertices_of
 from .foreign import ConvertError
 
-MOST = 9  # nodes of a side
+MOST = 9  # largest number of nodes of a side
 
 
 def padded(sides, width):
-    """An array of rows of this width, with -1 behind shorter ones"""
+    """An array of rows of this width; shorter rows are filled with -1"""
     if isinstance(sides, np.ndarray) and sides.ndim == 2:
         rows = np.full((len(sides), width), -1, dtype=np.int64)
         rows[:, :sides.shape[1]] = sides
@@ -17,10 +17,10 @@ def padded(sides, width):
 
 
 def numbered(rows):
-    """Numbers from 0 that rows of vertices have in common if they hold the same ones, in any order"""
+    """Numbers from 0 for rows of vertices, equal for rows with the same vertices in any order"""
     rows = np.sort(rows, axis=1) + 1
     numbers = np.zeros(len(rows), dtype=np.int64)
-    for column in rows.T:  # products of two counts fit into 64 bits, those of four do not
+    for column in rows.T:  # products of two counts fit into 64 bits, products of four do not
         numbers = np.unique(numbers * (column.max(initial=0) + 1) + column, return_inverse=True)[1].ravel()
     return numbers
 
@@ -30,9 +30,9 @@ class Mesh:
     points       points x dimension
     blocks       list of (kind, nodes)
     groups       name -> elements
-    side_groups  name -> rows of (element, side, nodes of it or -1)
+    side_groups  name -> rows of (element, side, its nodes or -1)
 
-    A file with volume elements is a mesh in space, and its surface elements are sides; one without is plane, and its lines are sides."""
+    A file with volume elements is a 3D mesh, and its surface elements are sides; otherwise the mesh is 2D, and its lines are sides."""
 
     def __init__(self, foreign, path):
         self.path, self.remarks = path, list(foreign.remarks)
@@ -48,7 +48,7 @@ class Mesh:
     def _take_elements(self, foreign):
         self.dimension = 3 if any(KINDS.get(kind, (0,))[0] == 3 for kind, _ in foreign.blocks) else 2
         known = [kind for kind, cell in CELLS.items() if cell.dimension == self.dimension]
-        self.blocks, self.number = [], np.full(foreign.elements(), -1)  # of each foreign element; -1: it is no element of the mesh
+        self.blocks, self.number = [], np.full(foreign.elements(), -1)  # number of each foreign element; -1: not an element of the mesh
         first = count = 0
         others = {}
         for kind, nodes in foreign.blocks:
@@ -61,7 +61,7 @@ class Mesh:
             first += len(nodes)
         if others:
             kinds = ", ".join(f"{number} of the kind '{kind}'" for kind, number in sorted(others.items()))
-            self._fail(f"elements that Suture does not have: {kinds}; known are {', '.join(CELLS)}. Export elements of order 1 or 2, "
+            self._fail(f"elements unknown to Suture: {kinds}; known are {', '.join(CELLS)}. Export elements of order 1 or 2, "
                        "wedges and pyramids of order 1")
         if not count:
             self._fail(f"no surface elements and no volume elements; known are {', '.join(CELLS)}")
@@ -73,8 +73,8 @@ class Mesh:
             self._fail(f"point {used[~np.isfinite(points).all(axis=1)][0]} (counted from 0) has a coordinate that is not finite")
         flat = np.ptp(points[:, 2])
         if self.dimension == 2 and flat > 1e-9 * np.ptp(points[:, :2], axis=0).max():
-            self._fail(f"the mesh is {flat:g} thick in z and has no volume elements; expected a plane mesh, z the same everywhere, or a "
-                       "mesh of volumes. Turn it into the plane of x and y first")
+            self._fail(f"the mesh has a thickness of {flat:g} in z but no volume elements; expected a 2D mesh with constant z, or a "
+                       "mesh of volumes. Rotate it into the xy plane first")
         self.points = points[:, :self.dimension]
         self.new = np.full(len(foreign.points), -1)
         self.new[used] = np.arange(len(used))
@@ -84,13 +84,13 @@ class Mesh:
         for b, (kind, nodes) in enumerate(self.blocks):
             nodes = in_order(kind, self.new[nodes], self.points)
             if nodes is None:
-                self._fail(f"the nodes of elements of the kind '{kind}' between their vertices do not lie there")
+                self._fail(f"the mid-side nodes of elements of the kind '{kind}' are not between their vertices")
             inverted = sizes_of(kind, nodes, self.points) < 0
             nodes[inverted] = nodes[inverted][:, CELLS[kind].mirrored]
             turned += inverted.sum()
             self.blocks[b] = (kind, nodes)
         if turned:
-            self.remarks.append(f"{turned} {'clockwise' if self.dimension == 2 else 'inverted'} elements turned round")
+            self.remarks.append(f"{turned} {'clockwise' if self.dimension == 2 else 'inverted'} elements reversed")
 
     def _find_sides(self):
         """All sides of elements: rows of (element, side, nodes), and their vertices."""
@@ -126,16 +126,16 @@ class Mesh:
             self._add_nodes(name, self.new[nodes])
         if not self.groups:
             self.groups["all"] = np.arange(sum(len(nodes) for _, nodes in self.blocks))
-            self.remarks.append("the file has no group of elements: all of them are the group 'all'")
+            self.remarks.append("the file has no element group: all elements form the group 'all'")
 
     def _renumbered(self, rows):
-        """Numbers of the nodes here; -1: none; -2: a node of no element."""
+        """Numbers of the nodes in this mesh; -1: none; -2: a node without elements."""
         numbers = np.where(rows >= 0, self.new[rows], -1)
         numbers[(rows >= 0) & (numbers < 0)] = -2
         return numbers
 
     def _add_sides(self, wanted):
-        """The sides on the boundary that have all the vertices of a row."""
+        """Adds the boundary sides that have all the vertices of a row."""
         counts = [len(rows) for rows in wanted.values()]
         numbers = numbered(np.concatenate([self.vertices, *wanted.values()]) + 1)
         own, asked = numbers[:len(self.sides)], np.split(numbers[len(self.sides):], np.cumsum(counts)[:-1])
@@ -149,12 +149,12 @@ class Mesh:
             found = owners[ids] == 1
             if (~found).any():
                 self.remarks.append(f"group '{name}': {(~found).sum()} of its sides left out, {(owners[ids] > 1).sum()} of them inside the "
-                                    "material, the others no side of an element")
+                                    "material, the others not sides of elements")
             self._add_rows(name, self.sides[row[ids[found]]])
 
     def _add_nodes(self, name, nodes):
-        """The sides on the boundary with all of their nodes, or if the set has vertices only all of their vertices, in a set."""
-        among = np.zeros(len(self.points) + 1, dtype=bool)  # the last one stands for no node
+        """Adds the boundary sides whose nodes (or vertices, if the set contains vertices only) are all in a set."""
+        among = np.zeros(len(self.points) + 1, dtype=bool)  # the last entry means no node
         among[nodes] = True
         among[-1] = True
         between = np.where(np.arange(MOST) < (self.boundary_vertices >= 0).sum(axis=1)[:, None], -1, self.boundary[:, 2:])
@@ -164,7 +164,7 @@ class Mesh:
         if of.any():
             self._add_rows(name, self.boundary[of])
         else:
-            self.remarks.append(f"node set '{name}' left out: it holds no side of the boundary")
+            self.remarks.append(f"node set '{name}' left out: it contains no boundary side")
 
     def _add_rows(self, name, rows):
         if not len(rows):

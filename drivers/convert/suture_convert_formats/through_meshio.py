@@ -1,4 +1,4 @@
-"""All other formats, through meshio: .med, .vtu, .vtk, .msh (versions that Suture does not read), .bdf and whatever it knows."""
+"""All other formats, through meshio: .med, .vtu, .vtk, .msh (versions that Suture does not read), .bdf and others."""
 import contextlib
 import io
 import pathlib
@@ -8,7 +8,7 @@ import numpy as np
 from .cells import KINDS
 from .foreign import ConvertError, Foreign
 
-MOST_GROUPS = 1000  # an array with more values numbers elements, and names no groups
+MOST_GROUPS = 1000  # an array with more values is a numbering and not a set of groups
 
 
 def read(path):
@@ -20,7 +20,7 @@ def read(path):
     try:
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
             read_mesh = meshio.read(path)
-    except (Exception, SystemExit) as error:  # meshio ends the program where it has no reader
+    except (Exception, SystemExit) as error:  # meshio exits if it has no reader
         text = " ".join((str(error) if not isinstance(error, SystemExit) else said.getvalue()).split())
         raise ConvertError(f"{path}: meshio cannot read it: {text or type(error).__name__}") from error
     mesh = Foreign(read_mesh.points)
@@ -37,7 +37,7 @@ def read(path):
 
 
 def take_families(mesh, rows, source):
-    """Groups of .med: each family of elements or nodes is in several."""
+    """Groups of .med: a family of elements or nodes may belong to several groups."""
     for tags, arrays, numbers, sets in ((getattr(source, "cell_tags", {}), source.cell_data.get("cell_tags", []), rows, mesh.groups),
                                         (getattr(source, "point_tags", {}), [source.point_data.get("point_tags", np.zeros(0))],
                                          [np.arange(len(source.points))], mesh.node_sets)):
@@ -50,7 +50,7 @@ def take_families(mesh, rows, source):
 
 
 def take_arrays(mesh, rows, source):
-    """Groups by whole numbers on elements, "<array> <number>", or "<array>" for one of zeros and ones; named ones where the file has names."""
+    """Groups by integers on elements, "<array> <number>", or "<array>" for zeros and ones; uses names if the file contains them."""
     called = ("point", "curve", "surface", "volume")
     names = {(int(tag), int(dimension)): name for name, (tag, dimension) in ((n, d[:2]) for n, d in source.field_data.items() if len(d) == 2)}
     for array, blocks in source.cell_data.items():

@@ -1,4 +1,4 @@
-"""Universal files of I-DEAS (.unv), as Salome and Gmsh write them: datasets 2411 (nodes), 2412 (elements) and those of groups."""
+"""Universal files of I-DEAS (.unv), as written by Salome and Gmsh: datasets 2411 (nodes), 2412 (elements) and those of groups."""
 import pathlib
 
 from .foreign import ConvertError, Foreign
@@ -7,12 +7,12 @@ GROUPS = (2429, 2430, 2432, 2435, 2452, 2467, 2477)
 BEAMS = (11, 21, 22, 23, 24)
 SHAPES = {1: "triangle", 2: "triangle6", 4: "quad", 5: "quad8"}  # by the last digit of the descriptors 41 to 99
 SOLIDS = {111: "tetra", 112: "wedge", 115: "hexahedron", 116: "hexahedron20", 118: "tetra10"}
-# Vertices of parabolic solids, which run round as plane elements do, layer by layer.
+# Vertices of parabolic solids, whose nodes run around the element layer by layer, as in plane elements.
 VERTICES = {"tetra10": (0, 2, 4, 9), "hexahedron20": (0, 2, 4, 6, 12, 14, 16, 18)}
 
 
 def datasets(path):
-    """(number, first line, lines) of each"""
+    """(number, first line, lines) of each dataset"""
     try:
         lines = pathlib.Path(path).read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError as error:
@@ -60,7 +60,7 @@ def read(path):
                         at += 1
                     named.append((name, list(zip(words[0::4], words[1::4]))))
             elif number in ("15", "780", "2417"):
-                remarks.append(f"dataset {number} (an older form) left out")
+                remarks.append(f"dataset {number} (an older format) left out")
         except (ValueError, IndexError) as error:
             raise ConvertError(f"{path}, line {first + min(at, len(lines) - 1)}: cannot be read as dataset {number} ({error})") from error
     if not places:
@@ -73,7 +73,7 @@ def read(path):
         try:
             rows = [[order[node] for node in nodes] for _, nodes in members]
         except KeyError as error:
-            raise ConvertError(f"{path}: dataset 2412: an element has the node {error}, which dataset 2411 does not hold") from error
+            raise ConvertError(f"{path}: dataset 2412: an element has the node {error}, which is missing in dataset 2411") from error
         numbers.update(zip((label for label, _ in members), mesh.add_block(kind, rows)))
     for name, members in named:
         elements = [numbers[tag] for code, tag in members if code == 8 and tag in numbers]
@@ -86,7 +86,7 @@ def read(path):
 
 
 def element(descriptor, nodes):
-    """meshio's kind and order of nodes; parabolic elements run round: a vertex, the middle of the side behind it, ..."""
+    """meshio's kind and node order; nodes of parabolic elements run around: a vertex, the middle of the following side, ..."""
     if descriptor in (11, 21, 22) or (descriptor in BEAMS and len(nodes) == 2):
         return "line", nodes[:2]
     if descriptor in BEAMS:
@@ -94,6 +94,6 @@ def element(descriptor, nodes):
     kind = SHAPES.get(descriptor % 10) if 41 <= descriptor <= 99 else SOLIDS.get(descriptor)
     if kind in ("triangle6", "quad8"):
         nodes = nodes[0::2] + nodes[1::2]
-    if kind in VERTICES:  # the order of those between them follows from the geometry
+    if kind in VERTICES:  # the order of the nodes between vertices follows from the geometry
         nodes = [nodes[i] for i in VERTICES[kind]] + [node for i, node in enumerate(nodes) if i not in VERTICES[kind]]
     return kind or f"descriptor {descriptor}", nodes

@@ -4,7 +4,7 @@ import numpy as np
 from .cells import CELLS, SIDE_KINDS
 from .mesh import MOST
 
-LINES = {"line": 1, "line3": 8}  # Gmsh's types of sides in the plane
+LINES = {"line": 1, "line3": 8}  # Gmsh's types of 2D sides
 
 
 def write_h5(mesh, path):
@@ -31,7 +31,7 @@ def write_h5(mesh, path):
 
 
 def entities_of(count, groups):
-    """Entities: members with the same groups. \\return list of (numbers of groups, members), and the names in the order of the numbers"""
+    """Entities, i.e. sets of members with equal groups. \\return list of (group numbers, members), and the names in the order of the numbers"""
     names = sorted(groups)
     member = np.zeros((count, len(names)), dtype=bool)
     for column, name in enumerate(names):

@@ -1,5 +1,5 @@
 // Suture coupled to another program in a loop: gas is pumped into a chamber above a block and let out again. The gas presses on the block,
-// which springs hold; the block gives way, the chamber grows, the pressure falls. At some pressure the block meets another one below it.
+// which rests on springs; the block moves down, the chamber grows, the pressure falls. Above some pressure the block touches another one.
 //
 //        chamber of height 0.05, p = gas / height        the other program: GasChamber
 //     ---------------------------------------------      forces down, displacements up
@@ -24,15 +24,15 @@ namespace {
 
 const double kYoung = 2e6, kSprings = 2e5, kGap = 0.01, kWidth = 1.0;
 
-/// The other program: isothermal gas between a lid and a surface that moves down, above the pressure of the air.
+/// The other program: isothermal gas between a fixed lid and a surface that moves down; pressures are relative to the ambient pressure.
 struct GasChamber {
   double height = 0.05, air = 1e5;
   double content = air * height;  ///< pressure times height of the enclosed gas [Pa m]
   double pressure(double down) const { return content / (height + down) - air; }
 };
 
-/// Where gas and blocks are in balance, by bisection: the upper block is pressed together, its underside goes down on the springs and, from
-/// the gap on, on the lower block.
+/// Position at equilibrium of gas and blocks, by bisection: the upper block is compressed, and its underside moves down on the springs and,
+/// once the gap is closed, on the lower block.
 double exactWay(const GasChamber& gas) {
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 100; ++i) {
@@ -68,7 +68,7 @@ int main(int argc, char* argv[]) {
     const CouplingSurface surface = simulation.coupling("upper_top");
     double first = 0.0, worst = 0.0;
 
-    /// One exchange: forces of the gas in, mean way down of the surface out.
+    /// One exchange: applies the forces of the gas and returns the mean downward displacement of the surface.
     const auto wayAt = [&](double pressure) {
       std::vector<double> forces;
       for (const double normal : surface.normals) forces.push_back(-pressure * normal);
@@ -88,13 +88,13 @@ int main(int argc, char* argv[]) {
     for (const double amount : {1.1, 1.3, 1.6, 2.0, 1.6, 1.3, 1.1}) {
       gas.content = amount * gas.air * gas.height;
       ++step;
-      double relaxation = 0.1, before = 0.0, way = 0.0, seconds = 0.0;  // Aitken's
+      double relaxation = 0.1, before = 0.0, way = 0.0, seconds = 0.0;  // relaxation: Aitken's factor
       int solves = 0, outer = 0, pcg = 0;
       for (;;) {
         const double now = Timers::now();
         way = wayAt(pressure);
         if (first == 0.0)
-          first = Timers::now() - begin;  // with all that comes before it
+          first = Timers::now() - begin;  // including setup
         else
           seconds += Timers::now() - now;
         ++solves;

@@ -1,4 +1,4 @@
-// A contact problem made in C++ and solved: one block pressed on another by a tenth of its height.
+// A contact problem set up and solved in C++: one block pressed onto another by a tenth of its height.
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>

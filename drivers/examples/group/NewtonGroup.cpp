@@ -1,5 +1,5 @@
-// A contact group that finds its closed pairs by itself: the semismooth Newton method in its form as an active set strategy (Hintermueller,
-// Ito, Kunisch, SIAM J. Optim. 13, 2002). Pairs that pull are opened and pairs that penetrate are closed, all at once, until none is left.
+// A contact group with its own search for closed pairs: the semismooth Newton method as an active set strategy (Hintermueller, Ito,
+// Kunisch, SIAM J. Optim. 13, 2002). In each step all pairs in tension open and all penetrating pairs close, until no pair changes.
 #include <Teuchos_ParameterList.hpp>
 #include <suture/contact/ContactGroup.hpp>
 
@@ -10,8 +10,8 @@ namespace {
 class NewtonGroup : public ContactGroup {
  public:
   static Schema schema() {
-    return Schema("semismooth Newton: all pairs that pull or penetrate flip at once")
-        .integer("Maximum Iterations", 50, "After these the group gives up.", Range::atLeast(1));
+    return Schema("semismooth Newton: all pairs in tension or penetration change at once")
+        .integer("Maximum Iterations", 50, "Iterations after which the group stops with an error.", Range::atLeast(1));
   }
   NewtonGroup(const Parts& parts, const Parameters& own) : ContactGroup(parts), most_(own.get<int>("Maximum Iterations")) {}
 
@@ -22,7 +22,7 @@ class NewtonGroup : public ContactGroup {
     state.status = start;
     for (; state.steps < most_; ++state.steps) {
       auto closed = std::make_unique<ContactCompliance::Closed>(held(), state.status);
-      if (closed->kernel().cols() > 0) {  // no body may float: all pairs hold it
+      if (closed->kernel().cols() > 0) {  // a body would float: close all pairs
         state.status = heldRows().pressed;
         closed = std::make_unique<ContactCompliance::Closed>(held(), state.status);
       }

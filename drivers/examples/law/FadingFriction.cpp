@@ -1,5 +1,5 @@
-// A law of contact of one's own: a coefficient of friction that falls with pressure. The search for states, the linear solves, the
-// monolithic reference, the verdict and the pictures follow from it.
+// A user-defined contact law: a coefficient of friction that decreases with pressure. The search for states, the linear solves, the
+// monolithic reference, the verdict and the plots use it.
 #include <Teuchos_ParameterList.hpp>
 #include <cmath>
 #include <suture/base/Point.hpp>
@@ -13,9 +13,9 @@ using namespace suture;
 class FadingFriction : public ContactLaw {
  public:
   static Schema schema() {
-    return Schema("Coulomb's law with a coefficient that falls with pressure: mu0 / (1 + p / p0).")
-        .real("Coefficient", 0.3, "mu0, of friction without pressure.", Range::atLeast(0.0))
-        .real("Pressure", std::nullopt, "p0, at which the coefficient has fallen to half. [stress]", Range::positive());
+    return Schema("Coulomb's law with a coefficient that decreases with pressure: mu0 / (1 + p / p0).")
+        .real("Coefficient", 0.3, "mu0, coefficient of friction at zero pressure.", Range::atLeast(0.0))
+        .real("Pressure", std::nullopt, "p0, pressure at which the coefficient is halved. [stress]", Range::positive());
   }
 
   explicit FadingFriction(const Parameters& own) : mu_(own.get<double>("Coefficient")), half_(own.get<double>("Pressure")) {}
@@ -23,12 +23,12 @@ class FadingFriction : public ContactLaw {
  protected:
   bool doRestrictsSliding() const override { return true; }
 
-  /// State that the trial force z = force + jump projects to.
+  /// Projects the trial force z = force + jump.
   ContactState doProject(const ContactTrial& trial, const ContactState& now) const override {
     const Point z = plus(trial.force, trial.jump);
     if (z[0] < 0.0 || (z[0] == 0.0 && !now.closed())) return PairStatus::Open;
     if (trial.normalOnly) return PairStatus::Stick;
-    // The bound t(f) = mu0 f / (1 + f / f0) of the normal force f by its tangent at z: t(z) + t'(z) (f - z), t' = mu0 / (1 + z / f0)^2.
+    // Replace the bound t(f) = mu0 f / (1 + f / f0) by its tangent at the normal force z: t(z) + t'(z) (f - z), t' = mu0 / (1 + z / f0)^2.
     const double full = half_ * trial.size, more = 1.0 + z[0] / full;
     ContactState state(PairStatus::Stick);
     state.friction = mu_ / (more * more);

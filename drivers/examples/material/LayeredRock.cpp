@@ -1,4 +1,4 @@
-// A law of a material of one's own: rock in thin layers of two kinds, as one material. The program takes everything from its stiffness:
+// A user-defined material law: rock in thin layers of two kinds, homogenised. Suture derives everything from its stiffness:
 // elements, stresses, error estimates, the verdict, the monolithic reference.
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -9,8 +9,8 @@ namespace {
 
 using namespace suture;
 
-/// Thin isotropic layers seen from afar: G. E. Backus, Long-wave elastic anisotropy produced by horizontal layering, J. Geophys. Res. 67
-/// (1962), equation (13). Layers are normal to y, before they are turned.
+/// Homogenised thin isotropic layers: G. E. Backus, Long-wave elastic anisotropy produced by horizontal layering, J. Geophys. Res. 67
+/// (1962), equation (13). The layers are normal to y before the rotation by `Angle`.
 class LayeredRock : public MaterialLaw {
  public:
   static Schema schema() {

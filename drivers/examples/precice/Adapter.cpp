@@ -1,4 +1,4 @@
-// A scene of Suture as a participant of preCICE: forces on a side group in, displacements of its nodes out.
+// A Suture scene as a participant of preCICE: reads forces on a side group, writes the displacements of its nodes.
 //
 //   suture_precice SCENE.xml PRECICE-CONFIG.xml PARTICIPANT MESH GROUP ["Path/To/Parameter=value"]...
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -31,7 +31,7 @@ int main(int argc, char* argv[]) {
 
     std::vector<double> forces(surface.coordinates.size());
     while (participant.isCouplingOngoing()) {
-      participant.requiresWritingCheckpoint();  // nothing to keep: what a trial leaves behind is only where the next one begins
+      participant.requiresWritingCheckpoint();  // no state to save: an iteration only leaves the initial guess of the next one
       const double step = participant.getMaxTimeStepSize();
       participant.readData(mesh, "Force", ids, step, forces);
       simulation.setForces(surface, forces);
@@ -39,7 +39,7 @@ int main(int argc, char* argv[]) {
       if (simulation.ending() != ExitCode::Done) throw NumericalError(simulation.solution().failure);
       participant.writeData(mesh, "Displacement", ids, simulation.displacements(surface));
       participant.advance(step);
-      if (!participant.requiresReadingCheckpoint()) simulation.advance();  // the window is done: slip of friction stays
+      if (!participant.requiresReadingCheckpoint()) simulation.advance();  // the time window is complete: keep the slip of friction
     }
     participant.finalize();
     return static_cast<int>(simulation.ending());

@@ -1,5 +1,5 @@
-// A preconditioner of one's own: the inverse of the stiffness matrix's diagonal on the interface. It costs next to nothing, and PCG takes
-// as many iterations as the mesh wants.
+// A user-defined preconditioner: the inverse of the stiffness matrix's diagonal on the interface. It is very cheap, but the number of PCG
+// iterations grows with mesh refinement.
 #include <Tpetra_MultiVector.hpp>
 #include <suture/precond/Preconditioner.hpp>
 
@@ -10,7 +10,7 @@ namespace {
 class DiagonalScaling : public Preconditioner {
  protected:
   void doCompute() override {
-    // Contributions of this rank's local problems; the space adds up those of all ranks, and of unknowns that contact identifies.
+    // Contributions of this rank's local problems; the space sums over all ranks and over unknowns identified by contact.
     Matrix diagonal = Matrix::Zero(space()->overlapSize(), 1);
     for (int i = 0; i < space()->locals(); ++i)
       if (const auto& local = matrix()->locals()[i]) space()->coupling(i).addTransposed(local->stiffnessDiagonal(), diagonal);

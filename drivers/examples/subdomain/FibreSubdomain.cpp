@@ -1,4 +1,4 @@
-// A subdomain with physics of one's own: an elastic body with thin fibres in one direction, which are stiff along themselves only.
+// A subdomain with user-defined physics: an elastic body with thin fibres in one direction that carry only axial stress.
 #include <Teuchos_ParameterList.hpp>
 #include <cmath>
 #include <suture/elasticity/loads/NodalLoads.hpp>
@@ -13,13 +13,13 @@ class FibreSubdomain : public Subdomain {
  public:
   static Schema schema() {
     return Schema("the body's material with fibres in one direction")
-        .real("Stiffness", std::nullopt, "Young modulus of the fibres times their share of the volume.", Range::positive(), "stress")
+        .real("Stiffness", std::nullopt, "Young modulus of the fibres times their volume fraction.", Range::positive(), "stress")
         .real("Angle", 0.0, "From the x axis to the fibres, anticlockwise. [degrees]");
   }
 
   FibreSubdomain(const SubdomainMesh& mesh, const ElasticModel& model, const Parameters& own) : Subdomain(mesh), model_(model) {
     const double angle = own.get<double>("Angle") * M_PI / 180, c = std::cos(angle), s = std::sin(angle);
-    // The strain of the fibres is along . (xx, yy, zz, xy, yz, xz).
+    // The fibre strain is the product of `along` and the strain vector (xx, yy, zz, xy, yz, xz).
     const auto along = (Eigen::Matrix<double, 6, 1>() << c * c, s * s, 0, c * s, 0, 0).finished();
     for (int e = 0; e < mesh.elements(); ++e) {
       const Material& plain = model.materialOf(mesh, e, mesh.body);

@@ -1,1 +1,1 @@
-"""Parts of suture_plot: reading a run, drawing its pictures, writing its report."""
+"""Parts of suture_plot: reads a run, plots it, writes its report."""

@@ -1,4 +1,4 @@
-"""contact.png, contact_2.png, ...: pressure and gap along each contact line, with friction the tangential traction, too."""
+"""contact.png, contact_2.png, ...: pressure and gap along each contact line; with friction also the tangential traction."""
 import math
 
 import matplotlib.pyplot as plt
@@ -9,12 +9,12 @@ from .line_panel import curve
 from .style import GAP_COLOUR, PRESSURE_COLOUR, shortened, wrapped
 from .units import scaled
 
-FEW = 6  # lines on one page of large panels; more of them are spread evenly over pages of small ones
+FEW = 6  # lines on one page of large panels; more lines are distributed over pages of small panels
 MOST = 12
 
 
 def contact_figures(run):
-    """Pages of the picture: [(words on its part, figure)], drawn as they are asked for."""
+    """Yields the pages: (words on its part, figure)."""
     data = run.contact.point_data
     lines = sorted(set(zip(data["Piece"].tolist(), data["Line"].tolist())))
     pages = 1 if len(lines) <= FEW else math.ceil(len(lines) / MOST)

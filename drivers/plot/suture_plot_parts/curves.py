@@ -9,11 +9,11 @@ from .run import probe_table
 from .style import GREY, PALETTE, wrapped
 from .units import scaled
 
-MOST_MARKS = 60  # outer iterations with marks of full size
+MOST_MARKS = 60  # outer iterations with markers of full size
 
 
 def probe_figure(run, path):
-    """Values along a line or group. Points and empty tables have no picture."""
+    """Values along a line or group; None for points and empty tables."""
     table = probe_table(path)
     if not table or len(table["arc_length"]) < 2 or not table["arc_length"][-1] > 0:
         return None
@@ -43,7 +43,7 @@ def probe_figure(run, path):
 
 def convergence_figure(run):
     k = np.arange(1, len(run.history) + 1)
-    starts = np.flatnonzero(np.diff([row.get("load_step", 1) for row in run.history])) + 1  # of load steps, but the first
+    starts = np.flatnonzero(np.diff([row.get("load_step", 1) for row in run.history])) + 1  # of load steps, except the first
 
     def parted(values):
         """Values with gaps between load steps."""
@@ -55,7 +55,7 @@ def convergence_figure(run):
                    label="stopping norm")
     euclidean = [row.get("euclidean", 0.0) for row in run.history]
     if max(euclidean) > 0:
-        above.semilogy(parted(k), parted([max(e, 1e-18) for e in euclidean]), "s--", ms=1.5 if many else 3, lw=0.9, color=GREY, label="Euclidean (decides nothing)")
+        above.semilogy(parted(k), parted([max(e, 1e-18) for e in euclidean]), "s--", ms=1.5 if many else 3, lw=0.9, color=GREY, label="Euclidean (not used)")
     try:
         tolerance = float(run.parameter("Outer Solver", "Tolerance"))
         above.axhline(tolerance, color=PALETTE[5], lw=0.9, ls=":", label=f"tolerance {tolerance:g}")
@@ -66,7 +66,7 @@ def convergence_figure(run):
     above.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=8)
     auxiliary, outer = run.summary.get("auxiliary", {}), run.summary["outer"]
     first = auxiliary.get("iterations", 0)
-    after = f", after {first} of the auxiliary problem" if first else ""
+    after = f", after {first} in the auxiliary problem" if first else ""
     above.set_title(wrapped(f"{run.title}{run.state}", 60) + f"\n{outer.get('solver', '')}: {outer.get('pcg_total', 0)} PCG{after}", loc="left")
     below.bar(k, [row["pcg"] for row in run.history], width=0.6, color=PALETTE[1])
     for axis in (above, below):

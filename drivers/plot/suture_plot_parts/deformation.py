@@ -1,4 +1,4 @@
-"""deformation.png: deformed over undeformed."""
+"""deformation.png: deformed and undeformed bodies."""
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
@@ -9,7 +9,7 @@ from .units import round_down, scaled
 
 
 def enlargement(run, factor):
-    """Given by the user, else by the scene, else so that the largest displacement is about a twentieth of the scene."""
+    """The enlargement given by the user, else by the scene, else such that the largest displacement is about a twentieth of the model size."""
     if factor is not None:
         return factor
     try:
@@ -21,7 +21,7 @@ def enlargement(run, factor):
 
 
 def deformation_figure(run, factor):
-    """\\return figure, enlargement, whether bodies are drawn into each other"""
+    """\\return figure, enlargement, whether bodies overlap as drawn"""
     grid = run.fields
     u = grid.point_data["Displacement"]
     norm = np.linalg.norm(u, axis=1)
@@ -43,12 +43,12 @@ def deformation_figure(run, factor):
     axes.legend(handles=[Line2D([], [], color="black", lw=1.0, label="deformed" if factor == 1 else f"deformed \u00d7 {factor:g} (bodies may seem to overlap)"),
                          Line2D([], [], color="#8a8a8a", lw=0.9, ls=(0, (4, 2)), label="undeformed")],
                 loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=2,
-                bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-26.0, units="points"))  # below the label, however flat the axes
+                bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-26.0, units="points"))  # below the label, even if the axes are flat
     return figure, factor, drawn_in
 
 
 def has_interference(run):
-    """Whether sides of contacts overlap before anything moves, by more than a thousandth of the largest displacement."""
+    """True if contact sides overlap in the undeformed state by more than a thousandth of the largest displacement."""
     if run.contact is None or not len(run.contact.points):
         return False
     largest = np.linalg.norm(run.fields.point_data["Displacement"], axis=1).max()

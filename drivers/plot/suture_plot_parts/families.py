@@ -1,7 +1,7 @@
-"""Names that differ in numbers only: in a crowded picture they share one label, "roller_*_outer"."""
+"""Names that differ only in numbers share one label in a crowded plot, e.g. "roller_*_outer"."""
 import re
 
-CROWD = 24  # with more names than this in a picture
+CROWD = 24  # number of names above which a plot is crowded
 
 
 def pattern(text):
@@ -9,7 +9,7 @@ def pattern(text):
 
 
 def families(names, total=None):
-    """{label: names}, in the order of the names. `total`: number of all names in the picture, if there are others."""
+    """{label: names}, in the order of the names. `total`: number of all names in the plot, if there are others."""
     names = list(names)
     if (len(names) if total is None else total) <= CROWD:
         return {name: [name] for name in names}

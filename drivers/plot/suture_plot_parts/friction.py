@@ -1,4 +1,4 @@
-"""The panel of friction along a contact line: tangential traction between its bounds, and which pairs stick, slip and are open."""
+"""The friction panel of a contact line: tangential traction with its bounds, and which pairs stick, slip and are open."""
 import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -17,7 +17,7 @@ def has_friction(grid):
 
 
 def friction_caption(run):
-    return (" Tangential traction: on side B, positive towards larger arc lengths, between its bounds; pairs stick on green and slip on orange."
+    return (" Tangential traction: on side B, positive towards larger arc lengths, with its bounds; green background: stick, orange: slip."
             if has_friction(run.contact) else "")
 
 
@@ -31,7 +31,7 @@ def along_line(grid, own):
 
 
 def draw_friction(axis, grid, own, small, labels):
-    """\\param own  points of the line in the order of their arc lengths"""
+    """\\param own  points of the line, ordered by arc length"""
     data = grid.point_data
     arc, stick, bound = data["ArcLength"][own], data["Stick"][own], data["FrictionBound"][own]
     traction = along_line(grid, own)
@@ -57,7 +57,7 @@ def draw_friction(axis, grid, own, small, labels):
 
 
 def friction_legend(figure):
-    """One for all panels, below them."""
+    """One legend for all panels, below them."""
     handles = [Patch(facecolor=colour, lw=0, label=name) for colour, name in ((STICK, "sticks"), (SLIP, "slips"), (OPEN, "open"))]
     handles.append(Line2D([], [], color="#555555", ls="--", lw=0.9, label="bound of the tangential traction"))
     figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=len(handles))

@@ -1,4 +1,4 @@
-"""Grids of the field files."""
+"""Grids in the field files."""
 import json
 from functools import cached_property
 
@@ -7,9 +7,9 @@ import numpy as np
 
 from .style import PlotError
 
-# Nodes of a plane VTK cell, in the order of its outline.
+# Node order of 2D VTK cells along their outline.
 OUTLINE = {5: [0, 1, 2], 22: [0, 3, 1, 4, 2, 5], 9: [0, 1, 2, 3], 23: [0, 4, 1, 5, 2, 6, 3, 7], 28: [0, 4, 1, 5, 2, 6, 3, 7]}
-# Cells of space in the file's own order.
+# 3D cells in the order of the file.
 ORDER = {**OUTLINE, **{kind: list(range(nodes)) for kind, nodes in ((10, 4), (24, 10), (12, 8), (25, 20), (29, 27), (13, 6), (14, 5))}}
 WORDS = {5: "triangles of 3 nodes", 22: "triangles of 6 nodes", 9: "quadrilaterals of 4 nodes", 23: "quadrilaterals of 8 nodes",
          28: "quadrilaterals of 9 nodes", 10: "tetrahedra of 4 nodes", 24: "tetrahedra of 10 nodes", 12: "hexahedra of 8 nodes",
@@ -17,7 +17,7 @@ WORDS = {5: "triangles of 3 nodes", 22: "triangles of 6 nodes", 9: "quadrilatera
 
 
 class Grid:
-    """Unstructured grid of a VTKHDF file, its partitions put together."""
+    """Unstructured grid of a VTKHDF file, with its partitions merged."""
 
     def __init__(self, path):
         self.path = path
@@ -42,7 +42,7 @@ class Grid:
         nodes = np.concatenate(nodes) if nodes else np.zeros(0, dtype=int)
         starts = np.concatenate(starts) if starts else np.zeros(0, dtype=int)
         self.count = len(self.types)
-        # Cells of one kind: their numbers, and their nodes, those of plane cells along the outline.
+        # Cells of one kind: their numbers and nodes; nodes of 2D cells along the outline.
         self.blocks = []
         for kind in sorted(set(self.types.tolist()) & set(ORDER)):
             own = np.flatnonzero(self.types == kind)
@@ -60,7 +60,7 @@ class Grid:
         self.scene = as_text(record["Input"][()]) if "Input" in record else ""
 
     def polygons(self, points):
-        """Outline of each plane cell, mid-side nodes included."""
+        """Outline of each 2D cell, including mid-side nodes."""
         result = [None] * self.count
         for _, own, nodes in self.blocks:
             for cell, polygon in zip(own, points[nodes][:, :, :2]):
@@ -93,20 +93,20 @@ class Grid:
 
     @cached_property
     def boundary(self):
-        """Edges that only one cell of the same body has, one a row: two points, their merged numbers, the cell."""
+        """Edges that belong to a single cell of a body, one per row: two points, their merged numbers, the cell."""
         return self._edges_used_once(self.merged(self.cell_data["Body"]))
 
     @cached_property
     def silhouette(self):
-        """Edges that only one cell of the scene has: contact lines on which both sides coincide are inside."""
+        """Edges that belong to a single cell of the scene; contact lines with coinciding sides are interior."""
         return self._edges_used_once(self.merged(None))
 
     def lines(self, edges, points):
-        """The edges as segments in the plane."""
+        """The edges as 2D segments."""
         return points[edges[:, :2]][:, :, :2]
 
     def merged(self, body):
-        """A number for each node, equal where the points coincide (and are of one body, if `body` is given)."""
+        """A number for each node, equal if the points coincide (and belong to one body, if `body` is given)."""
         size = np.ptp(self.points, axis=0).max() or 1.0
         grid = np.round(self.points / (1e-9 * size)).astype(np.int64)
         if body is not None:
@@ -132,7 +132,7 @@ class Grid:
 
 
 def numbered(rows):
-    """The place of each row among the different rows in their order, as np.unique(axis=0) finds it in five times the time."""
+    """The index of each row among the sorted unique rows; like np.unique(axis=0), but five times faster."""
     number = np.zeros(len(rows), dtype=np.int64)
     order = np.lexsort(rows.T[::-1])
     number[order[1:]] = np.cumsum((rows[order[1:]] != rows[order[:-1]]).any(axis=1))

@@ -1,4 +1,4 @@
-"""Parts of a web page that needs no network, no script and no second file. Well-formed XML, too."""
+"""Parts of a self-contained web page without network access or scripts. The page is also well-formed XML."""
 import base64
 import html as _html
 import io
@@ -42,13 +42,13 @@ details > summary { cursor: pointer; color: var(--accent); }
 
 
 def esc(text):
-    """Text of a page. Control characters, which no page may have, are replaced."""
+    """Escaped text. Control characters, which are not allowed in a page, are replaced."""
     clean = "".join(c if c in "\n\t" or ord(c) >= 32 else "\ufffd" for c in str(text))
     return _html.escape(clean)
 
 
 def number(value, unit="", form=".4g"):
-    """A number to read, with all its digits for programs; null of summary.json is said in words."""
+    """A number for readers, with all its digits for programs; null of summary.json is written in words."""
     if value is None:
         return '<span class="soft">not finite</span>'
     if isinstance(value, bool) or not isinstance(value, (int, float)):
@@ -58,7 +58,7 @@ def number(value, unit="", form=".4g"):
 
 
 def vector(values, unit=""):
-    """(1, 2) with units; None where there is none."""
+    """A vector (1, 2) with units; "none" if there are no values."""
     if values is None:
         return '<span class="soft">none</span>'
     listed = ", ".join(number(value) for value in values)
@@ -66,7 +66,7 @@ def vector(values, unit=""):
 
 
 def table(head, rows, caption="", numeric=(), long=()):
-    """Cells are markup already. `numeric`, `long`: numbers of columns aligned to the right, broken within words."""
+    """Cells are already markup. `numeric`, `long`: indices of columns that are right-aligned, and that may break within words."""
     def kind(i):
         return ' class="n"' if i in numeric else ' class="long"' if i in long else ""
 
@@ -78,7 +78,7 @@ def table(head, rows, caption="", numeric=(), long=()):
 
 
 def embedded(path):
-    """The picture with a palette of 256 colours, a third of its size: a page holds ten of them."""
+    """The image with a palette of 256 colours, which is a third of its size; a page holds ten of them."""
     small = io.BytesIO()
     with Image.open(path) as image:
         image.convert("RGB").quantize(256, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(small, "png")

@@ -1,33 +1,33 @@
-"""Texts in a picture, placed where they cover nothing that is to be seen."""
+"""Places labels in a plot where they cover nothing important."""
 import math
 
 import matplotlib
 import numpy as np
 from matplotlib.transforms import Bbox
 
-DISTANCES = (9, 16, 26, 40, 60, 85, 115, 150, 200)  # points from what is named to the nearest edge of its label
+DISTANCES = (9, 16, 26, 40, 60, 85, 115, 150, 200)  # points from the anchor to the nearest edge of its label
 ANGLES = np.radians(np.arange(0, 360, 15))
-# Costs. A covered label or mark is to be avoided at (nearly) any distance, covered material is not.
+# Costs. Avoiding a covered label or mark is worth (nearly) any distance; avoiding covered material is not.
 COVERED_LABEL = OUTSIDE = 5000.0
 COVERED_MARK = CROSSED_LABEL = 1500.0
 WRONG_SIDE = 150.0
-COVERED_LINE = 60.0  # each point of it
+COVERED_LINE = 60.0  # per point of it
 COVERED_MATERIAL = 45.0
-CROSSED_MARK = 40.0  # each point of it
-FAR = 0.6  # each point of distance
+CROSSED_MARK = 40.0  # per point of it
+FAR = 0.6  # per point of distance
 
 
 class LabelPlacer:
-    """Finds places for texts: none covers another, a mark or the line that it names.
+    """Finds positions for labels such that none covers another label, a mark or the line that it names.
 
-    Marks are points of the picture that stay visible (`keep_visible`); leaders cross other lines, too (`keep_off`); material is covered
-    only if need be (`prefer_outside`).
-    The figure's layout is final once a placer exists.
+    Marks are points of the plot that stay visible (`keep_visible`); leaders may cross other lines (`keep_off`); material is covered
+    only if necessary (`prefer_outside`).
+    Fix the figure's layout before creating a placer.
     """
 
     def __init__(self, figure, axes):
         self.figure, self.axes, self.taken = figure, axes, []
-        self.left_out = []  # labels that found no place
+        self.left_out = []  # labels without a position
         self.marks = np.zeros((0, 2))
         self.lines = np.zeros((0, 2))
         self.material = np.zeros((0, 2))
@@ -48,23 +48,23 @@ class LabelPlacer:
         self.marks = np.vstack([self.marks, self._inside(points)])
 
     def keep_visible_lines(self, segments):
-        """`segments`: n x 2 points x 2; sampled, so that no label fits between two points of a line."""
+        """`segments`: n x 2 points x 2; sampled densely, so that no label fits between two samples."""
         self.keep_visible(sampled(np.asarray(segments), self._data_length(5.0)))
 
     def keep_off(self, segments):
-        """Lines that leaders may cross, but labels not cover."""
+        """Lines that leaders may cross, but labels may not cover."""
         self.lines = np.vstack([self.lines, self._inside(sampled(np.asarray(segments), self._data_length(5.0)))])
 
     def prefer_outside(self, points):
         self.material = np.vstack([self.material, self._inside(points)])
 
     def place(self, label, anchors, toward=None, least=0.0, centred=False, **style):
-        """Annotation of one of `anchors` (data coordinates), best first, with a line to it. None where it would cover another label or a
-        mark, or lie outside: it is left out.
+        """Annotates one of `anchors` (data coordinates), best first, with a line to it. Returns None and leaves the label out if it would
+        cover another label or a mark, or lie outside.
 
-        \\param toward   directions, one an anchor, in which the label is to lie
-        \\param least    distance in points within which the anchor's surroundings stay visible
-        \\param centred  the anchor itself is the first choice: names of areas
+        \\param toward   directions in which the label should lie, one per anchor
+        \\param least    distance in points around the anchor that stays visible
+        \\param centred  tries the anchor itself first, for names of areas
         """
         artist = self.axes.annotate(label, anchors[0], (0, 0), textcoords="offset points", ha="center", va="center",
                                     arrowprops={"arrowstyle": "-", "lw": 0.7, "color": style.get("color", "black"), "shrinkA": 0,
@@ -99,8 +99,8 @@ class LabelPlacer:
         return artist
 
     def place_within(self, label, cells, **style):
-        """Text amid `cells` (their centroids), without a line to them: the name of an area. None where it finds no room there."""
-        middle = cells[np.argmin(np.hypot(*(cells - cells.mean(axis=0)).T))]  # of a bent area the mean may lie outside
+        """Text inside the area of `cells` (given by centroids), without a leader: the name of an area. None if there is not enough space."""
+        middle = cells[np.argmin(np.hypot(*(cells - cells.mean(axis=0)).T))]  # the mean may lie outside of a bent area
         artist = self.axes.annotate(label, middle, (0, 0), textcoords="offset points", ha="center", va="center", **style)
         size = own_extent(artist, self.renderer)
         low, high = (self.axes.transData.transform(corner) for corner in (cells.min(axis=0), cells.max(axis=0)))
@@ -130,12 +130,12 @@ class LabelPlacer:
         for distance in DISTANCES:
             for angle in ANGLES:
                 direction = np.array([math.cos(angle), math.sin(angle)])
-                # From the anchor to the label's centre, so that its edge is at the distance.
+                # From the anchor to the label's centre, such that its edge is at the distance.
                 reach = min(0.5 * width / max(abs(direction[0]), 1e-9), 0.5 * height / max(abs(direction[1]), 1e-9))
                 yield direction * (distance * self.points + reach), distance
 
     def _cost(self, box, leader_from, material, limit=math.inf):
-        """Cost of a label there; not complete where it is above `limit`, which saves most of the work."""
+        """Cost of a label at this position; evaluation stops above `limit`, which saves most of the work."""
         outside = 1.0 - overlap(box, self.frame) / (box.width * box.height)
         cost = OUTSIDE * (outside if outside > 1e-9 else 0.0) + COVERED_LABEL * sum(overlap(box, other) > 0 for other in self.taken)
         if cost >= limit:
@@ -169,7 +169,7 @@ class LabelPlacer:
 
 
 def own_extent(artist, renderer):
-    """Box of the text alone: that of an annotation contains its leader."""
+    """Box of the text alone; the box of an annotation also contains its leader."""
     box = matplotlib.text.Text.get_window_extent(artist, renderer)
     patch = artist.get_bbox_patch()
     return Bbox.union([box, patch.get_window_extent(renderer)]) if patch else box
@@ -184,7 +184,7 @@ def within(box, points):
 
 
 def sampled(segments, spacing):
-    """Points on the segments, at most `spacing` apart, the ends included."""
+    """Points on the segments including their ends, at most `spacing` apart."""
     if len(segments) == 0:
         return np.zeros((0, 2))
     lengths = np.hypot(*(segments[:, 1] - segments[:, 0]).T)
@@ -193,7 +193,7 @@ def sampled(segments, spacing):
 
 
 def along(sides, fractions):
-    """Places on a side group at fractions of its length: (points, normals out of the body)."""
+    """Points on a side group at fractions of its length: (points, outward normals)."""
     sides = ordered(sides)
     steps = sides[:, 3:5] - sides[:, 0:2]
     lengths = np.hypot(*steps.T)
@@ -206,7 +206,7 @@ def along(sides, fractions):
 
 
 def ordered(sides):
-    """Sides in the order in which they follow one another, as far as they do."""
+    """Sides ordered into a chain, as far as possible."""
     start = {tuple(np.round(side[0:2], 12)): i for i, side in enumerate(sides)}
     targets = {tuple(np.round(side[3:5], 12)) for side in sides}
     left, result = dict.fromkeys(range(len(sides))), []

@@ -6,7 +6,7 @@ from .style import GREY
 
 
 def curve(axis, arc, values, active, colour, small):
-    """One panel: values along the line, closed and open pairs told apart."""
+    """One panel: values along the line, with different markers for closed and open pairs."""
     shade(axis, arc, ~active, "#e9e9e9")
     axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
     axis.plot(arc, values, color=colour, zorder=2)
@@ -15,13 +15,13 @@ def curve(axis, arc, values, active, colour, small):
     axis.margins(x=0.02)
     axis.yaxis.set_major_locator(MaxNLocator(nbins=4 if small else 5))
     axis.xaxis.set_major_locator(MaxNLocator(nbins=5 if small else 6))
-    # Rounding errors are not to be enlarged to the height of the picture.
+    # Do not scale round-off to the height of the panel.
     if np.nanmax(np.abs(values), initial=0.0) < 1e-6:
         axis.set_ylim(-1, 1)
 
 
 def shade(axis, arc, mask, colour):
-    """Colours the ground where `mask` holds. A pair stands for its surroundings half way to its neighbours."""
+    """Colours the background where `mask` is true; a pair extends half way to its neighbours."""
     for first, end in runs(mask):
         a = arc[first] if first == 0 else 0.5 * (arc[first - 1] + arc[first])
         b = arc[end - 1] if end == len(arc) else 0.5 * (arc[end - 1] + arc[end])
@@ -29,6 +29,6 @@ def shade(axis, arc, mask, colour):
 
 
 def runs(mask):
-    """(first, end) of each stretch of true values."""
+    """(first, end) of each run of true values."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
     return list(zip(edges[::2], edges[1::2]))

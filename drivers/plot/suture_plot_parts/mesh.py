@@ -12,12 +12,12 @@ MOST_NAMED_GROUPS = 40
 
 
 def subdomain_colours(grid):
-    """A pale colour for each subdomain, different from its neighbours'."""
+    """A pale colour for each subdomain, different from those of its neighbours."""
     number = grid.merged(None)
     count = int(grid.cell_data["Subdomain"].max(initial=0)) + 1
     pairs = [number[nodes] * count + grid.cell_data["Subdomain"][own].astype(np.int64)[:, None] for _, own, nodes in grid.blocks]
     node, subdomain = np.divmod(np.unique(np.concatenate([pair.reshape(-1) for pair in pairs])), count)
-    shared = np.diff(node, prepend=-1) * np.diff(node, append=-1) == 0  # the neighbour in the list is of the same node
+    shared = np.diff(node, prepend=-1) * np.diff(node, append=-1) == 0  # an adjacent list entry is the same node
     at_point = {}
     for n, s in zip(node[shared].tolist(), subdomain[shared].tolist()):
         at_point.setdefault(n, []).append(s)
@@ -36,7 +36,7 @@ def subdomain_colours(grid):
 
 
 def short_names(names):
-    """Names without the beginning that all share ("subdomain_"), cut at a word."""
+    """Names without a common prefix ("subdomain_"), cut at a word."""
     if len(names) < 2:
         return names, ""
     prefix = names[0]
@@ -49,17 +49,17 @@ def short_names(names):
 
 
 def inward(sides, distance):
-    """The sides, moved into their own body, which lies on the left of the way: the two sides of a contact line would cover each other."""
+    """Sides shifted into their own body (on the left), since the two sides of a contact line would coincide."""
     way = sides[:, 3:5] - sides[:, 0:2]
     shift = np.column_stack([-way[:, 1], way[:, 0]]) * (distance / np.maximum(np.hypot(*way.T), 1e-300))[:, None]
     return np.stack([sides[:, 0:2] + shift, sides[:, 3:5] + shift], axis=1)
 
 
 def mesh_figure(run):
-    """\\return figure, names of side groups that found no room"""
+    """\\return figure, names of side groups without enough space"""
     grid = run.fields
     names, prefix = short_names(grid.names["Subdomains"])
-    if len(names) > 1 and all(name.endswith(" 1") for name in names):  # one a body
+    if len(names) > 1 and all(name.endswith(" 1") for name in names):  # one per body
         names = [name[:-2] for name in names]
     groups = {name: sides for name, sides in sorted(grid.side_groups.items()) if len(sides)}
     labels = families(groups)
@@ -79,7 +79,7 @@ def mesh_figure(run):
             segments = inward(groups[name], 0.0022 * size)
             axes.add_collection(LineCollection(segments, colors=[colours[label]], linewidths=1.8, capstyle="round", zorder=3, gid="named"))
             placer.keep_visible_lines(segments)
-    # The name of a side of a contact lies in its own body, that of another side outside.
+    # The label of a contact side is placed inside its body, that of any other side outside.
     within = {group for contact in contacts(run) if contact.obstacle == "None" for group in contact.side_a + contact.side_b}
     if few:
         for label, members in labels.items():
@@ -97,7 +97,7 @@ def mesh_figure(run):
 
 
 def anchors_of(members):
-    """Places for the label of side groups, best first, with the normals out of the body: five on one, or the middles of some of many."""
+    """Positions for the label of side groups, best first, with outward normals: five on one, or the middles of some of many."""
     if len(members) == 1:
         return along(members[0], [0.5, 0.35, 0.65, 0.2, 0.8])
     order = np.unique(np.linspace(0, len(members) - 1, 7).astype(int))

@@ -1,4 +1,4 @@
-"""One picture of a run, with what the report says of it."""
+"""One plot of a run, with its caption in the report."""
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,8 +14,8 @@ class Picture:
 
 
 def told(left_out):
-    """A sentence on names that a picture does not show."""
+    """A sentence on names that a plot does not show."""
     if not left_out:
         return ""
     names = ", ".join(left_out[:12]) + (f" and {len(left_out) - 12} more" if len(left_out) > 12 else "")
-    return f" Not named, for want of room: {names}."
+    return f" Not labelled for lack of space: {names}."

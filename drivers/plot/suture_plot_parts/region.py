@@ -1,14 +1,14 @@
-"""The part of a scene that is worth a second look."""
+"""The region of a 2D scene shown in *_zoom.png."""
 import numpy as np
 
 
 def region_of_interest(run):
-    """(x0, x1, y0, y1, words) around the hole whose wall is stressed most, else around the largest contact pressure, else None."""
+    """(x0, x1, y0, y1, words) around the hole with the most stressed wall, else around the largest contact pressure, else None."""
     grid = run.fields
     low, high = grid.points.min(axis=0)[:2], grid.points.max(axis=0)[:2]
 
     def box(centre, half):
-        # At least some two hundred elements, however coarse the mesh: a cross or two would show nothing.
+        # At least about two hundred elements even in a coarse mesh, since a few crosses would show nothing.
         near = np.sort(np.abs(grid.centroids - centre).max(axis=1))
         half = max(half, 0.04 * (high - low).max(), near[min(200, len(near) - 1)])
         (x0, y0), (x1, y1) = np.maximum(centre - half, low), np.minimum(centre + half, high)
@@ -29,7 +29,7 @@ def region_of_interest(run):
 
 
 def hole(grid):
-    """Corners of the box of the hole whose wall is stressed most, or None."""
+    """Corners of the box of the hole with the most stressed wall, or None."""
     edges = grid.silhouette
     parent = {}
 
@@ -44,13 +44,13 @@ def hole(grid):
     loops = {}
     for row, a in enumerate(edges[:, 2].tolist()):
         loops.setdefault(root(a), []).append(row)
-    # The outer outline of a part is no hole: a hole's box lies inside the box of another loop.
+    # The outer contour of a part is not a hole: the box of a hole lies inside the box of another contour.
     boxes = {}
     for key, rows in loops.items():
         points = grid.points[edges[rows, :2].reshape(-1), :2]
         boxes[key] = (points.min(axis=0), points.max(axis=0))
     holes = [k for k in loops if any(j != k and np.all(boxes[j][0] < boxes[k][0]) and np.all(boxes[j][1] > boxes[k][1]) for j in loops)]
-    # A lens between two sides of a contact line is no hole either: it is far longer than wide.
+    # A gap between two sides of a contact line is not a hole either: it is far longer than wide.
     holes = [k for k in holes if (boxes[k][1] - boxes[k][0]).min() > 0.05 * (boxes[k][1] - boxes[k][0]).max() > 0]
     if not holes:
         return None

@@ -19,16 +19,16 @@ def banner(run):
     if summary.get("failure"):
         words.append(esc(sentence(summary["failure"])))
     if not run.good:
-        words.append("Every picture and number below is that of this unfinished or doubtful state.")
+        words.append("All plots and numbers below refer to this state of the run.")
     if run.step is not None:
-        words.append(f"Pictures of fields are those of {esc(run.words_of_step)}; the numbers are those of the last step.")
+        words.append(f"Plots of fields show {esc(run.words_of_step)}; the numbers are from the last step.")
     notes = "".join(f"<br/>Note: {esc(note if note.endswith('.') else note + '.')}" for note in summary.get("notes", []))
     head = sentence(run.verdict).rstrip(".")
     return f'<div class="verdict{"" if run.good else " bad"}" id="banner"><strong>{esc(head)}</strong>{" ".join(words)}{notes}</div>\n'
 
 
 def readable(value, unit):
-    """In the units of the scene, and in a multiple of them where that reads better."""
+    """The value in the units of the scene, and in a multiple of the unit if that is more readable."""
     factor, name = scaled(unit, abs(value))
     return number(value, unit) + ("" if name == unit else f' <span class="soft">({factor * value:.4g} {esc(name)})</span>'.replace("(-", "(\u2212"))
 
@@ -53,7 +53,7 @@ def key_figures(run):
                      f'<div class="where">{esc(where)}{at}</div></div>')
     if not cards:
         return ""
-    return f'<div class="figures">{"".join(cards)}</div>\n<p class="soft">Stresses {esc(taken_at(run))}; places on the undeformed bodies.</p>\n'
+    return f'<div class="figures">{"".join(cards)}</div>\n<p class="soft">Stresses {esc(taken_at(run))}; positions on the undeformed bodies.</p>\n'
 
 
 def report(run, pictures, path):
@@ -62,7 +62,7 @@ def report(run, pictures, path):
         own = [figure(picture, run.title) for picture in pictures if picture.section == section]
         return "".join(own) or f'<p class="soft">{esc(otherwise)}</p>\n'
 
-    without = "Not drawn: this run wrote no fields."
+    without = "Not plotted: this run wrote no fields."
     contact = run.summary["contact"]
     sections = [
         ("scene", "Scene", scene_in_words(run)),

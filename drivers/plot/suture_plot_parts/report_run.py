@@ -3,34 +3,34 @@ import shlex
 
 from .html import esc, number, table
 
-# Checks of the verdict in words, and what their values are relative to.
+# Checks of the verdict in words, and the scale of their values.
 CHECKS = {
     "forces": ("Forces on each body balance", "force through the body"),
     "moments": ("Moments on each body balance", "force through the body times its extent"),
     "residual": ("Nodal forces balance, summed over each body", "force through the body"),
-    "nodes": ("How far a node out of balance would move", "deformation of the body"),
+    "nodes": ("Displacement that the imbalance of a node would cause", "deformation of the body"),
     "contact": ("Nodes in contact balance", "largest contact force of the body"),
-    "prescribed": ("Prescribed displacements hold", "deformation of the body"),
-    "seams": ("Subdomains agree where they meet", "deformation of the body"),
-    "penetration": ("No body enters another", "force through the body, by stiffness"),
-    "tension": ("No contact pulls", "force through the body"),
+    "prescribed": ("Prescribed displacements are met", "deformation of the body"),
+    "seams": ("Displacements of subdomains agree on the interface", "deformation of the body"),
+    "penetration": ("No body penetrates another", "force through the body, over its stiffness"),
+    "tension": ("No contact is in tension", "force through the body"),
     "complementarity": ("Each pair has a force or a gap, not both", "force through the body"),
-    "status": ("Open pairs carry nothing, closed ones have no gap", "force through the body"),
-    "digits": ("Double precision holds the answer", "force through the body"),
-    "rotation": ("No body turns beyond small rotations where nothing holds it", "radian"),
-    "friction": ("Tangential forces stay within their bounds; where sides slip they reach them, along the slip", "force through the body"),
-    "slip": ("Pairs that stick or are glued do not slip", "force through the body, by stiffness"),
-    "dissipation": ("No tangential force pushes against the slip", "force through the body"),
-    "slide": ("Sides still face the partners that they have in the mesh", "edge of an element"),
-    "offset": ("Contact forces act at one place, not across a gap", "force through the body times its size"),
-    "controlled_loads": ("Loads of unknown amount reach their targets", "target"),
+    "status": ("Open pairs carry no force, closed pairs have no gap", "force through the body"),
+    "digits": ("Double precision is sufficient", "force through the body"),
+    "rotation": ("Rotations of bodies that nothing holds stay small", "radian"),
+    "friction": ("Tangential forces stay within their bounds; slipping pairs reach the bound, along the slip", "force through the body"),
+    "slip": ("Pairs that stick or are glued do not slip", "force through the body, over its stiffness"),
+    "dissipation": ("Friction forces never drive the slip", "force through the body"),
+    "slide": ("Sides still face their partners in the mesh", "edge of an element"),
+    "offset": ("Contact forces act at one point, not across a gap", "force through the body times its size"),
+    "controlled_loads": ("Controlled loads reach their targets", "target"),
 }
 ERRORS = {
-    "estimated_energy_norm": "of the mesh, estimated from recovered stresses, energy norm",
-    "algebraic_energy_norm": "of the iterations, energy norm",
-    "energy_norm": "of the mesh, against the exact solution, energy norm",
-    "displacement_l2": "of the displacement, against the exact solution, L2",
-    "pressure_l2": "of the contact pressure, against the exact solution, L2",
+    "estimated_energy_norm": "discretisation, estimated from recovered stresses, energy norm",
+    "algebraic_energy_norm": "algebraic, energy norm",
+    "energy_norm": "discretisation, against the exact solution, energy norm",
+    "displacement_l2": "displacement, against the exact solution, L2",
+    "pressure_l2": "contact pressure, against the exact solution, L2",
 }
 
 
@@ -41,10 +41,10 @@ def convergence(run):
         rows.append(("auxiliary problem: PCG iterations, condition", f"{number(auxiliary['iterations'])}, {number(auxiliary.get('condition'))}"))
     if outer.get("solver"):
         rows += [("outer solver", esc(outer["solver"])), ("outer iterations", number(outer.get("iterations"))),
-                 ("PCG iterations in all of them", number(outer.get("pcg_total")))]
+                 ("total PCG iterations", number(outer.get("pcg_total")))]
         if outer.get("condition"):
-            rows.append(("largest condition", number(outer["condition"])))
-    rows += [("relative residual at the end", number(outer.get("residual"), form=".2e")),
+            rows.append(("largest condition number", number(outer["condition"])))
+    rows += [("final relative residual", number(outer.get("residual"), form=".2e")),
              ("tolerance", esc(run.parameter("Outer Solver", "Tolerance", default="")))]
     return table(("", ""), rows)
 
@@ -54,19 +54,19 @@ def load_steps(run):
     given_up = sum(row.get("given_up") or 0 for row in found.get("steps") or [])
     work = found.get("work") or {}
     force, length = run.force_unit, run.length_unit
-    rows = [("load steps", number(found.get("count"))), ("end of the last one, in time", number(found.get("time"))),
-            ("trials that were too long and given up", number(given_up))]
+    rows = [("load steps", number(found.get("count"))), ("time at the end of the last step", number(found.get("time"))),
+            ("rejected trials, too long", number(given_up))]
     rows += [(f"{words} [{esc(force)} {esc(length)}]", number(work[key])) for key, words in (
         ("external", "external work"), ("stored", "stored energy"), ("dissipated", "work dissipated by friction")) if key in work]
     if "step_error" in work:
-        rows.append(("error of the steps' length, of the external work", number(work["step_error"], form=".3g")))
+        rows.append(("step size error, relative to external work", number(work["step_error"], form=".3g")))
     return table(("", ""), rows, numeric=(1,))
 
 
 def verdict(run):
     checks = run.summary.get("verification")
     if not checks:
-        return '<p class="soft">Not verified: the run ended before.</p>\n'
+        return '<p class="soft">Not verified: the run ended earlier.</p>\n'
     rows = []
     for name, check in checks.items():
         value, bound = check.get("value"), check.get("bound")
@@ -75,7 +75,7 @@ def verdict(run):
         rows.append((esc(name), esc(words), number(value, form=".2e"), number(bound, form=".2e"), esc(relative),
                      f'<span class="{"holds" if holds else "fails"}">{"holds" if holds else "FAILS"}</span>', esc(check.get("where", "")) or "everywhere"))
     said = run.summary.get("verified")
-    return ("<p>A second computation, which shares no operator with the solver, checks the answer: " +
+    return ("<p>An independent computation, which shares no operator with the solver, verifies the solution: " +
             ("<strong class=\"holds\">all checks hold</strong>" if said else "<strong class=\"fails\">NOT VERIFIED</strong>") + ".</p>\n" +
             table(("check", "meaning", "value", "bound", "relative to", "", "largest at"), rows, numeric=(2, 3), long=(6,)))
 
@@ -94,10 +94,10 @@ def error(run):
     markup = table(("error", "value", "relative"), rows, numeric=(1, 2)) if rows else ""
     if facets:
         markup += table(("piece of contact", "relative"), facets, numeric=(1,), long=(0,),
-                        caption="Estimated error of the pressure where straight elements stand for curved sides, relative to its largest value.")
+                        caption="Estimated error of the pressure due to straight elements on curved sides, relative to its largest value.")
     if "estimated_energy_norm" not in found:
-        markup += ("<p>The error of the mesh was not estimated. <code>--set \"Output/Error Estimate=true\"</code> does so; a second run on a mesh of half the "
-                   "size shows how stresses change.</p>\n")
+        markup += ("<p>The discretisation error was not estimated. Use <code>--set \"Output/Error Estimate=true\"</code>, or run again with half the mesh "
+                   "size and compare the stresses.</p>\n")
     return markup
 
 
@@ -118,14 +118,14 @@ def cost(run):
     summary = run.summary
     facts = [("ranks", number(summary.get("ranks"))), ("subdomains", number(summary.get("subdomains"))), ("unknowns", number(summary.get("dofs"))),
              ("unknowns on the interface", number(summary.get("interface_dofs")))]
-    for key, words in (("peak_memory_mb", "memory at its peak, largest rank [MB]"), ("solver_data_mb", "data that one PCG iteration reads, largest rank [MB]")):
+    for key, words in (("peak_memory_mb", "peak memory, largest rank [MB]"), ("solver_data_mb", "data read per PCG iteration, largest rank [MB]")):
         if summary.get(key, {}).get("max") is not None:
             facts.append((words, number(summary[key]["max"], form=".3g")))
     if summary.get("preconditioner", {}).get("coarse_size") is not None:
         facts.append(("coarse unknowns", number(summary["preconditioner"]["coarse_size"])))
     seconds = summary.get("auxiliary", {}).get("iteration_seconds")
     if seconds is not None:
-        facts.append(("seconds of one PCG iteration", number(seconds, form=".3g")))
+        facts.append(("seconds per PCG iteration", number(seconds, form=".3g")))
     return markup + table(("", ""), facts, numeric=(1,))
 
 

@@ -65,7 +65,7 @@ def reactions(run):
     summary = run.summary
     found = summary.get("reactions")
     if not found:
-        return '<p class="soft">Not known: the run ended before.</p>\n'
+        return '<p class="soft">Unknown: the run ended earlier.</p>\n'
     length, force, stress = run.units
     thickness = {"Axisymmetric": ", forces of the whole circle; the radial component is a sum of magnitudes", "Solid": ""}.get(run.model, ", per unit thickness")
     rows = [(esc(name), esc(c.get("kind", "")), vector(c.get("force")), vector(c.get("moment"))) for name, c in found.get("conditions", {}).items()]
@@ -78,7 +78,7 @@ def reactions(run):
     if rows:
         size = f"{length}²" if run.model in ("Axisymmetric", "Solid") else length
         markup += table(("contact", "bodies", f"force on side B [{force}]", f"moment [{force} {length}]", f"centre [{length}]", f"closed [{size}]"), rows,
-                        long=(0,), caption="Resultant of each contact, the centre of its forces and how much of it is closed.")
+                        long=(0,), caption="Resultant of each contact, the centre of its forces, and its closed length or area.")
     balance = summary.get("equilibrium", {})
     if "imbalance" in balance:
         markup += f"<p>Loads and reactions balance to {number(balance['imbalance'], form='.3g')}, relative to the loads.</p>\n"
@@ -92,7 +92,7 @@ def closed(contact):
 
 
 def contact_pieces(run):
-    """Contacts as the solver groups them."""
+    """Contacts in the pieces used by the solver."""
     contact = run.summary["contact"]
     rows = [(esc(name), f"{number(piece.get('active'))} of {number(piece.get('pairs'))}", number(piece.get("max_pressure")), number(piece.get("max_gap")))
             for name, piece in contact.get("by_piece", {}).items()]
@@ -114,4 +114,4 @@ def friction_of_pieces(run):
     head = ("piece", "stick", "slip", "largest mobilisation", "mean", f"dissipated work [{run.force_unit} {run.length_unit}]",
             f"tangential force on side B [{run.force_unit}]")
     return table(head, rows, numeric=(1, 2, 3, 4, 5, 6), long=(0,),
-                 caption="Friction. Mobilisation: tangential force of a pair over the largest that its law allows; the mean by the bounds.")
+                 caption="Friction. Mobilisation: tangential force of a pair over the largest that its law allows; mean weighted by the bounds.")

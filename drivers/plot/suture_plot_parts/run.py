@@ -19,18 +19,18 @@ def last(folder, pattern):
 
 
 class RunFolder:
-    """Everything that suture_solve left in a folder.
+    """Everything that suture_solve wrote into a folder.
 
-    `fields` and `contact` are None where the run wrote no fields: the scene switched them off, or the run failed before.
+    `fields` and `contact` are None if the run wrote no fields, because of its settings or an early failure.
     """
 
     def __init__(self, folder, step=None):
-        """\\param step  number of the load step whose fields are taken, from 1 on; those of the last one without it"""
+        """\\param step  number of the load step whose fields are read, from 1; default: the last step"""
         self.folder = Path(folder)
         self.summary = self._summary(folder)
         self.steps = step_table(self.folder / "steps.csv") if self.summary.get("load_steps") else {}
         self.step = self._step(step)
-        # Fields of an earlier run may lie in the folder of a run without.
+        # A run without fields may share the folder with fields of an earlier run.
         wanted = self.parameter("Output", "Fields", default=True) is not False
         place = "*" if self.step is None else f"{self.step - 1:04d}"
         fields = last(self.folder, f"fields_{place}.vtkhdf") if wanted else None
@@ -49,7 +49,7 @@ class RunFolder:
         self.model = self.parameter("Model", default="Plane Strain")
         self.dimension = self.summary.get("dimension", 2)
         self.axes = ("r", "axis y") if self.model == "Axisymmetric" else ("x", "y")
-        # Suffix of every title: a picture of an unfinished iteration must say so itself.
+        # Suffix of every title, since a plot of an unfinished run must be recognisable by itself.
         self.state_of_answer = "" if self.good else f"  ({self.verdict})".replace("NOT ", "NOT\u00a0")
         self.state = self.state_of_answer + (f"  ({self.words_of_step})" if self.step is not None else "")
 
@@ -59,7 +59,7 @@ class RunFolder:
         path = self.folder / "summary.json"
         if not path.is_file():
             if (self.folder / "study.json").is_file():
-                raise PlotError(f"'{folder}' is the folder of a study: 'suture_study_plot {folder}' draws it, and this program the runs in it")
+                raise PlotError(f"'{folder}' is the folder of a study: use 'suture_study_plot {folder}', or this program for its single runs")
             if (self.folder / "summary.previous.json").is_file():
                 raise PlotError(f"'{folder}' has no summary.json: its last run did not finish (summary.previous.json is of the run before)")
             raise PlotError(f"'{folder}' has no summary.json: is it the output folder of a finished run (suture_solve SCENE.xml --output DIR)?")
@@ -67,7 +67,7 @@ class RunFolder:
         return read_summary(path)
 
     def _step(self, step):
-        """The chosen step, None where its fields are those of the answer."""
+        """The chosen step; None if its fields are those of the final solution."""
         if step is None:
             return None
         count = len(self.steps.get("time", []))
@@ -83,7 +83,7 @@ class RunFolder:
 
     @property
     def extremes(self):
-        """Extremes of summary.json, which are those of the last load step."""
+        """Extremes of summary.json, which belong to the last load step."""
         found = self.summary.get("extremes", {})
         return found if self.step is None else {key: value for key, value in found.items() if key == "stresses"}
 
@@ -122,7 +122,7 @@ class RunFolder:
 
 
 def step_table(path):
-    """Columns of steps.csv; none where there is no such file."""
+    """Columns of steps.csv; empty if the file does not exist."""
     if not path.is_file():
         return {}
     try:

@@ -21,7 +21,7 @@ MOST_ROWS = 24
 
 
 class Drawing:
-    """Signs of the conditions of one scene. Conditions on the same group stand behind each other."""
+    """Symbols of the conditions of one scene. Conditions on the same group are drawn in successive rows."""
 
     def __init__(self, run, axes):
         self.run, self.grid = run, run.fields
@@ -30,14 +30,14 @@ class Drawing:
         self.rows = {}
 
     def row(self, groups, height):
-        """Distance from the sides at which the next sign on these groups begins."""
+        """Distance from the sides at which the next symbol on these groups begins."""
         start = max((self.rows.get(group, 0.0) for group in groups), default=0.0)
         for group in groups:
             self.rows[group] = start + height
         return start * self.signs.size
 
     def places(self, condition):
-        """Points and outward normals, evenly along the condition's groups."""
+        """Evenly spaced points along the condition's groups, with outward normals."""
         found = []
         for group in condition.groups:
             sides = self.grid.side_groups.get(group)
@@ -51,7 +51,7 @@ class Drawing:
         return np.concatenate([f[0] for f in found]), np.concatenate([f[1] for f in found])
 
     def on_sides(self, condition):
-        """\\return anchors for the condition's name"""
+        """\\return anchors for the label of the condition"""
         points, outward = self.places(condition)
         if len(points) == 0:
             return []
@@ -77,7 +77,7 @@ class Drawing:
             return [centre + s * np.array([0.7, 0.7])]
         if direction is None or not direction.any():
             return points
-        # Arrows press with their tip on the side, or pull with their tail on it.
+        # Arrows that press end on the side; arrows that pull start on it.
         unit = direction / np.hypot(*direction)
         presses = outward @ unit <= 1e-9
         foot = points + self.row(condition.groups, 1.2) * outward
@@ -97,12 +97,12 @@ class Drawing:
         else:
             axis = np.array([1.0, 0.0] if condition.components == "x" else [0.0, 1.0])
             side = np.where(outward @ axis < -1e-9, -1.0, 1.0)[:, None] * axis
-            # Held along the side: beside it, so that the triangle does not lie on the body.
+            # Holds the tangential direction: drawn next to the side, not on the body.
             clear = np.where(np.abs(outward @ axis) < 0.5, 0.35 * self.signs.size, 0.0)[:, None]
             self.signs.rollers(foot + clear * outward, side, SUPPORT)
 
     def obstacle(self, contact, colour):
-        """The rigid partner of a contact, where its shape is a number: a circle or a line."""
+        """The rigid partner of a contact, if it is a circle or a line given by numbers."""
         of, step = contact.given.get(contact.obstacle, {}), 0.5 * self.signs.size
         if contact.obstacle == "Circle":
             radius = float(of["Radius"])
@@ -114,7 +114,7 @@ class Drawing:
             normal /= np.hypot(*normal)
             middle = 0.5 * (self.grid.points.min(axis=0) + self.grid.points.max(axis=0))[:2]
             foot = middle - normal * (normal @ (middle - np.array(of["Point"][:2], dtype=float)))
-            # As long as the side before it asks for.
+            # As long as the side in front of it needs.
             along_it = np.array([-normal[1], normal[0]])
             sides = [self.grid.side_groups[group] for group in contact.side_a if len(self.grid.side_groups.get(group, []))]
             places = (np.concatenate(sides)[:, 0:2] - foot) @ along_it if sides else np.zeros(1)
@@ -123,7 +123,7 @@ class Drawing:
             self.signs.surface(foot + reach[:, None] * along_it, np.broadcast_to(-normal, (len(reach), 2)), colour)
 
     def elsewhere(self, condition):
-        """Loads on bodies and at points. \\return anchors for the name, none of what has no sign"""
+        """Loads on bodies and at points. \\return anchors for the label; none without a symbol"""
         s, direction = self.signs.size, condition.direction
         if condition.type == "Point Force" and direction is not None and direction.any():
             point, unit = np.array(condition.given["Point"][:2], dtype=float), direction / np.hypot(*direction)
@@ -169,7 +169,7 @@ class Sign:
 
 
 def scene_figure(run):
-    """\\return figure, names that found no room"""
+    """\\return figure, names without enough space"""
     grid = run.fields
     given, touching, bodies = conditions(run), contacts(run), grid.names["Bodies"]
     total = len(given) + len(touching) + len(bodies)
@@ -184,7 +184,7 @@ def scene_figure(run):
     axes.add_collection(LineCollection(outline, colors="#444444", linewidths=0.8, zorder=2))
     drawing = Drawing(run, axes)
     named, handles, texts = [], [], []  # named: label, anchors, colour
-    given.sort(key=lambda c: not c.support)  # supports stand at the side, loads behind them
+    given.sort(key=lambda c: not c.support)  # supports are drawn at the side, loads behind them
     for label, members in grouped(given, total):
         anchors = [thinned(found) for found in (drawing.on_sides(c) if c.groups else drawing.elsewhere(c) for c in members) if len(found)]
         if anchors:
@@ -214,7 +214,7 @@ def scene_figure(run):
     legend(figure, axes, handles, texts)
     placer = LabelPlacer(figure, axes)
     if axes.get_legend():
-        axes.get_legend().set_in_layout(True)  # the layout is final; the saved picture holds the legend
+        axes.get_legend().set_in_layout(True)  # after the layout is fixed, so that the saved image includes the legend
     for segments in (drawing.signs.everything(), *lines):
         placer.keep_visible_lines(segments)
     placer.prefer_outside(grid.centroids[::max(1, grid.count // 3000)])
@@ -236,13 +236,13 @@ def scene_figure(run):
 
 
 def grouped(things, total):
-    """[(label, things)]: families of conditions or contacts, those of one kind together."""
+    """[(label, things)]: families of conditions or contacts of one kind."""
     named = {thing.name: thing for thing in things}
     return [(label, [named[name] for name in names]) for label, names in families(named, total).items()]
 
 
 def in_common(sentences):
-    """One sentence on all members of a family: with * for numbers that differ, and of longer lists the beginning."""
+    """One sentence for all members of a family: * replaces numbers that differ, and long lists are abbreviated."""
     if len(sentences) == 1:
         return sentences[0]
     first = sentences[0]
@@ -253,20 +253,20 @@ def in_common(sentences):
 
 
 def thinned(anchors):
-    """At most five of them, the middle first."""
+    """At most five anchors, the middle one first."""
     anchors = np.asarray(anchors)
     order = [len(anchors) // 2, len(anchors) // 4, 3 * len(anchors) // 4, 0, len(anchors) - 1]
     return anchors[list(dict.fromkeys(order))]
 
 
 def legend(figure, axes, handles, texts, distance=30.0):
-    """Points below the axes, in one column, since names are long; it takes no room from the axes."""
+    """A legend below the axes in one column, since names are long; it does not shrink the axes."""
     if not handles:
         return
     if len(texts) > MOST_ROWS:
         left = len(texts) - MOST_ROWS + 1
         handles = [*handles[:MOST_ROWS - 1], Patch(facecolor="none", edgecolor="none")]
-        texts = [*texts[:MOST_ROWS - 1], f"and {left} more, which report.html lists"]
+        texts = [*texts[:MOST_ROWS - 1], f"and {left} more, listed in report.html"]
     width = int(max(figure.get_figwidth(), 5.0) * 13.5)
     drawn = axes.legend(handles, [wrapped(text, width) for text in texts], handler_map={Sign: SignHandler()}, loc="upper left",
                         bbox_to_anchor=(0.0, 0.0), bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-distance, units="points"), fontsize=8,

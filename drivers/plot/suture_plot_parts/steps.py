@@ -1,4 +1,4 @@
-"""steps.png: forces of contacts, states of pairs and work over the time of load steps."""
+"""steps.png: contact forces, states of pairs and work over the time of load steps."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
@@ -7,12 +7,12 @@ from .friction import SLIP, STICK
 from .style import GREY, LINES, PALETTE, shortened, wrapped
 
 CLOSED = "#cfe0ee"
-MOST_MARKS = 40  # steps of which each has a mark
-SEVERAL = 4  # names of contacts in a row of the legend
+MOST_MARKS = 40  # largest number of steps with individual markers
+SEVERAL = 4  # names of contacts per row of the legend
 
 
 def steps_figure(run):
-    """\\return  figure, names of contacts whose forces are left out"""
+    """\\return  figure, names of contacts whose forces are not plotted"""
     table = run.steps
     names, left_out = contacts(run)
     axes_named = [axis for axis in "xyz"[:run.dimension] if any(np.any(force(table, name, axis)) for name in names)]
@@ -38,7 +38,7 @@ def steps_figure(run):
 
 
 def contacts(run):
-    """Names of the contacts with the largest forces, as many as there are colours, and those of the others."""
+    """Names of the contacts with the largest forces, one per colour, and names of the others."""
     names = [column[len("force "):-len(" x")] for column in run.steps if column.startswith("force ") and column.endswith(" x")]
     size = {name: max(np.abs(force(run.steps, name, axis)).max() for axis in "xyz") for name in names}
     shown = sorted(names, key=lambda name: -size[name])[:len(LINES)]
@@ -50,7 +50,7 @@ def force(table, name, axis):
 
 
 def line(axis, table, values, colour, label, style="-"):
-    """From zero at the time 0 on, where the path begins there."""
+    """Starts from zero at time 0, if the path begins there."""
     times = table["time"]
     if abs(times[0] - table["length"][0]) <= 1e-9 * times[0]:
         times, values = np.concatenate([[0.0], times]), np.concatenate([[0.0], values])
@@ -59,7 +59,7 @@ def line(axis, table, values, colour, label, style="-"):
 
 
 def states(axis, table, pairs):
-    """Pairs by their state at the end of each step, drawn over the step; what is left up to all pairs is open."""
+    """Pairs by their state at the end of each step, plotted over the step; the remaining pairs are open."""
     edges = np.concatenate([[table["time"][0] - table["length"][0]], table["time"]])
     base = np.zeros(len(table["time"]))
     for name, count, colour in (("stick", table["sticking"], STICK), ("slip", table["slipping"], SLIP),

@@ -1,4 +1,4 @@
-"""von_mises.png, principal_stress.png and the same around the most stressed place."""
+"""von_mises.png, principal_stress.png and their zooms."""
 import math
 
 import numpy as np
@@ -10,12 +10,12 @@ from .labels import LabelPlacer
 from .style import COMPRESSION, TENSION, PlotError, canvas
 from .units import round_down, scaled
 
-ROUNDING = 1e-6  # parts of the largest stress below which a stress is none
+ROUNDING = 1e-6  # fraction of the largest stress below which a stress counts as zero
 CALLOUT = {"fontsize": 9, "zorder": 9, "bbox": {"boxstyle": "round,pad=0.25", "fc": "white", "ec": "black", "lw": 0.5}}
 
 
 def extreme(run, name):
-    """(value, place) of summary.json, or None."""
+    """(value, place) from summary.json, or None."""
     found = run.extremes.get(name)
     if not found or found.get("value") is None or not found.get("place"):
         return None
@@ -27,7 +27,7 @@ def taken_at(run):
 
 
 def across(run):
-    return "hoop stress" if run.model == "Axisymmetric" else "stress across the plane"
+    return "hoop stress" if run.model == "Axisymmetric" else "out-of-plane stress"
 
 
 def von_mises_caption(run):
@@ -35,8 +35,8 @@ def von_mises_caption(run):
 
 
 def principal_caption(run):
-    return (f"Principal stresses in the plane, drawn along their directions; tension red, compression blue. The rings mark the largest tension "
-            f"and compression of summary.json, {taken_at(run)}, the {across(run)} included.")
+    return (f"In-plane principal stresses, drawn along their directions; tension red, compression blue. The rings mark the largest tension "
+            f"and compression in summary.json, {taken_at(run)}, including the {across(run)}.")
 
 
 def inside(window, points):
@@ -62,7 +62,7 @@ def outline(run, axes, **style):
 
 
 def callouts(placer, axes, found):
-    """Rings and labels of marked places. `found`: [(place, label)]. All rings come first, so that no label covers one."""
+    """Rings and labels of marked points. `found`: [(point, label)]. All rings are drawn first, so that no label covers one."""
     angles = np.linspace(0, 2 * np.pi, 12, endpoint=False)
     for place, _ in found:
         axes.plot(*place, "o", ms=10, mfc="none", mec="white", mew=2.4, zorder=7)
@@ -75,7 +75,7 @@ def callouts(placer, axes, found):
 
 
 def visible(run, window):
-    """Places that labels prefer not to cover: cells in the window."""
+    """Points that labels should avoid: cells in the window."""
     near = run.fields.centroids[inside(window, run.fields.centroids)]
     return near[::max(1, len(near) // 3000)]
 
@@ -114,7 +114,7 @@ def von_mises_figure(run, region=None):
 
 
 def thin_out(centroids, spacing):
-    """One cell a square of the given size: that nearest to its middle. Even density however the mesh is graded."""
+    """One cell per square of the given size, the one nearest to its centre. Gives an even density on graded meshes."""
     keys = np.floor(centroids / spacing).astype(np.int64)
     distance = np.hypot(*(centroids - (keys + 0.5) * spacing).T)
     order = np.argsort(distance, kind="stable")
@@ -133,7 +133,7 @@ def crosses_figure(run, region=None):
                         f"{tuple(grid.points.min(axis=0)[:2].tolist())} to {tuple(grid.points.max(axis=0)[:2].tolist())}")
     spacing = math.sqrt((x1 - x0) * (y1 - y0) / min(1100, len(within)))
     chosen = within[thin_out(centroids[within], spacing)]
-    # The cells with the largest stresses are the message: they are never thinned out.
+    # Always draw the cells with the largest stresses, since they matter most.
     chosen = np.union1d(chosen, within[[np.argmin(stress[within, 1]), np.argmax(stress[within, 0])]])
     typical = np.percentile(np.abs(stress[chosen, :2]).max(axis=1), 97) or 1.0
     reach = 0.5 * spacing / typical
@@ -144,7 +144,7 @@ def crosses_figure(run, region=None):
     bars_of = {}
     for which, direction in ((0, "PrincipalDirection1"), (1, "PrincipalDirection2")):
         value = stress[chosen, which]
-        # Half a bar longer than the typical one would cross its neighbours.
+        # Longer than 1.5 typical bars would cross the neighbours.
         half = grid.cell_data[direction][chosen, :2] * (np.minimum(np.abs(value), 1.6 * typical) * reach)[:, None]
         bars = np.stack([centroids[chosen] - half, centroids[chosen] + half], axis=1)
         pulls = value > ROUNDING * typical
@@ -163,7 +163,7 @@ def crosses_figure(run, region=None):
 
 
 def extremes_in(run, window, within, stress):
-    """[(place, value, words)]: both extremes of summary.json; in a region without them those of its cells."""
+    """[(place, value, words)]: both extremes of summary.json; if a region does not contain them, those of its cells."""
     found, least = [], ROUNDING * np.abs(stress[within, :2]).max()
     for name, column, pick, sign in (("tension", 0, np.argmax, 1), ("compression", 1, np.argmin, -1)):
         known = extreme(run, name)
@@ -182,10 +182,10 @@ def extremes_in(run, window, within, stress):
 
 
 def scale_bar(figure, axes, run, typical, length_of_one, tension):
-    """Below the axes: how long a stress is, and which colour means what."""
+    """Below the axes: the scale of stresses, and the meaning of the colours."""
     factor, unit = scaled(run.stress_unit, typical)
     reference = round_down(factor * typical)
-    length = reference / factor * length_of_one  # in the axes' own width
+    length = reference / factor * length_of_one  # in units of the axes' width
     width = axes.get_window_extent().width / figure.dpi  # inches
     if not width * length > 0.12:
         length = 0.12 / width

@@ -1,4 +1,4 @@
-"""Pictures of a study."""
+"""Plots of a study."""
 import json
 
 import matplotlib
@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FormatStrFormatter, LogLocator, MaxNLocator, NullFormatter
 
-# Okabe and Ito's palette, told apart by every kind of colour vision; with more lines than colours the markers go on.
+# Okabe and Ito's palette, suitable for colour-blind readers; with more lines than colours, only the markers differ.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8A7A00"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "h", "*"]
 STYLE = {
@@ -25,7 +25,7 @@ def number(text):
 
 
 class Table:
-    """Runs of a study: `rows` those with a solution, `failed` the others."""
+    """Runs of a study: `rows` with a solution, `failed` without."""
 
     def __init__(self, path):
         with open(path, encoding="utf-8") as file:
@@ -37,7 +37,7 @@ class Table:
         self.failed = [row for row in self.all if row["exit_code"] != 0]
 
     def value(self, row, name):
-        """A sweep's label or a column's value; None where a failed run has none."""
+        """The label of a sweep or the value of a column; None if a failed run has none."""
         if name in self.sweeps:
             return row["labels"][self.sweeps.index(name)]
         at = self.columns.index(name)
@@ -47,11 +47,11 @@ class Table:
         return ", ".join(f"{by} {self.value(row, by)}" for by in plot["by"])
 
     def positions(self, name):
-        """x -> place on the axis: numbers where all are numbers, else one after the other; and the labels to write there, or None."""
+        """x -> position on the axis: the value if all are numbers, else an index; and the tick labels, or None."""
         values = [self.value(row, name) for row in self.rows] + [self.value(row, name) for row in self.failed if name in self.sweeps]
         if all(number(value) is not None for value in values):
             return {value: number(value) for value in values}, None
-        if name in self.sweeps:  # in the order of the study
+        if name in self.sweeps:  # in study order
             order = [label for label in self.study["sweeps"][self.sweeps.index(name)]["labels"] if label in values]
         else:
             order = sorted(set(values), key=str)
@@ -59,7 +59,7 @@ class Table:
 
 
 def lines(table, plot, column):
-    """label of the line -> [(x value, mean, least, largest)], in the order of the rows; empty for a line of failed runs only."""
+    """Label of the line -> [(x value, mean, least, largest)], in the order of the rows; empty for a line of failed runs only."""
     groups = {}
     for row in table.all:
         points = groups.setdefault(table.label(row, plot), {})
@@ -70,7 +70,7 @@ def lines(table, plot, column):
 
 
 def mark_front(panel, table, plot, column, place):
-    """A line through the runs that no other beats in x and in y: less is better."""
+    """A line through the runs that no other run beats in both x and y (less is better)."""
     points = sorted((place[table.value(row, plot["x"])], number(table.value(row, column))) for row in table.rows
                     if number(table.value(row, column)) is not None)
     front, least = [], float("inf")
@@ -83,7 +83,7 @@ def mark_front(panel, table, plot, column, place):
 
 
 def mark_failed(panel, table, plot, place, colours):
-    """Crosses of failed runs at the upper edge, those of one x beside each other. \\return how many have no place"""
+    """Crosses of failed runs at the upper edge, side by side for equal x. \\return number of runs without a position"""
     seen, nowhere = {}, 0
     for row in table.failed:
         x = place.get(table.value(row, plot["x"]))
@@ -94,7 +94,7 @@ def mark_failed(panel, table, plot, place, colours):
         label = table.label(row, plot)
         if label in beside:
             continue
-        # One below the other: crosses of different lines do not cover each other.
+        # Stacked vertically, so that crosses of different lines do not overlap.
         panel.plot([x], [1.0 - 0.055 * len(beside)], "x", ms=7, mew=2.0, color=colours[label], transform=panel.get_xaxis_transform(), clip_on=False,
                    zorder=5, gid="failed")
         beside.append(label)
@@ -102,7 +102,7 @@ def mark_failed(panel, table, plot, place, colours):
 
 
 def ticks_of(panel, plot, place, ticks, width):
-    """Ticks that do not overlap: numbers in a logarithmic scale one by one while there is room, labels turned where they are long."""
+    """Ticks that do not overlap: on a logarithmic scale only those with enough space; long labels are rotated."""
     if ticks is not None:
         longest = max(map(len, map(str, ticks)))
         turned = longest * len(ticks) > 13 * width
@@ -118,7 +118,7 @@ def ticks_of(panel, plot, place, ticks, width):
     values = sorted(set(place.values()))
     low, high = values[0], values[-1]
     factors = [b / a for a, b in zip(values, values[1:])]
-    # In a logarithmic scale the room between two ticks is that of their quotient; a label of six signs takes 0.45 inches.
+    # On a logarithmic scale the space between two ticks depends on their ratio; a label of six characters takes 0.45 inches.
     if low > 0 and len(values) <= 8 and (not factors or min(factors) > (high / low)**(0.5 / (0.75 * width))):
         panel.set_xticks(values, [f"{x:g}" for x in values])
         panel.minorticks_off()
@@ -127,7 +127,7 @@ def ticks_of(panel, plot, place, ticks, width):
 
 
 def logarithmic_ticks(axis, low, high):
-    """Numbers at a logarithmic axis from `low` to `high`, also where it spans less than two powers of ten."""
+    """Numbers on a logarithmic axis from `low` to `high`, even if it spans less than two powers of ten."""
     axis.set_minor_formatter(NullFormatter())
     if high < 100 * low:
         subs = (1, 2, 5) if high >= 20 * low else (1, 2, 3, 5)

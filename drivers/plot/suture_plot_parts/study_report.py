@@ -1,4 +1,4 @@
-"""report.html of a study: its pictures and the table of its runs."""
+"""report.html of a study: its plots and the table of its runs."""
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,7 +22,7 @@ def study_report(runs, plots, folder):
     title, failed = runs.study["title"], len(runs.failed)
     state = ('<div class="verdict" id="banner"><strong>Every run has a solution</strong>' if not failed else
              f'<div class="verdict bad" id="banner"><strong>{number(failed)} of {number(len(runs.all))} runs without a solution</strong>They are marked in '
-             'red below, and by crosses at the upper edge of the pictures.') + "</div>\n"
+             'red below, and by crosses at the upper edge of the plots.') + "</div>\n"
     pictures = "".join(figure(Plot(path.stem, name, path), title) for name, path in plots)
     head = [*runs.sweeps, *(["failure"] if failed else []), *runs.columns]
     rows = []
@@ -34,7 +34,7 @@ def study_report(runs, plots, folder):
         rows.append((*(mark(esc(label)) for label in row["labels"]), *(failure if failed else []), *cells))
     width = len(runs.sweeps)
     numeric = range(len(head) - len(runs.columns), len(head))
-    sections = [("pictures", "Pictures", pictures or '<p class="soft">None.</p>'),
+    sections = [("pictures", "Plots", pictures or '<p class="soft">None.</p>'),
                 ("runs", "Runs", table(head, rows, numeric=numeric, long=(width,) if failed else ()))]
     path = folder / "report.html"
     partial = path.with_name(path.name + ".part")

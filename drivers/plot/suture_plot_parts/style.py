@@ -1,4 +1,4 @@
-"""Colours, lines and the shape of figures, the same in all pictures."""
+"""Colours, lines and the shape of figures, common to all plots."""
 import matplotlib
 
 matplotlib.use("Agg")
@@ -7,15 +7,15 @@ import numpy as np
 from matplotlib.font_manager import FontProperties
 from matplotlib.patheffects import withStroke
 
-# Okabe and Ito's palette, told apart by every kind of colour vision.
+# Okabe and Ito's palette, suitable for colour-blind readers.
 PALETTE = ["#E69F00", "#56B4E9", "#009E73", "#F0E442", "#0072B2", "#D55E00", "#CC79A7", "#000000"]
-# Colours for names of lines: all dark enough on white and on pale colours.
+# Colours for names of lines, all dark enough on white and on pale colours.
 LINES = ["#0072B2", "#D55E00", "#8F3F73", "#00694D", "#8A7A00", "#2E86B8"]
 TENSION, COMPRESSION = "#C1272D", "#0B4F9E"
 LOAD, SUPPORT = "#C2410C", "#00694D"
 PRESSURE_COLOUR, GAP_COLOUR = "#0072B2", "#D55E00"
 GREY = "#9a9a9a"
-MOST_EDGES = 60000  # with more cells than that, their edges would make one black area
+MOST_EDGES = 60000  # with more cells, the edges would merge into a black area
 WIDEST, HIGHEST = 10.0, 8.0  # inches
 
 plt.rcParams.update({
@@ -26,11 +26,11 @@ plt.rcParams.update({
 
 
 class PlotError(Exception):
-    """Something the user can mend: a missing or damaged file."""
+    """An error that the user can fix, such as a missing or damaged file."""
 
 
 def canvas(points, title, unit, extra=0.0, room=0.03, names=("x", "y")):
-    """Figure in the shape of the region that holds `points`, with equal scales.
+    """Figure with equal scales in the shape of the region that contains `points`.
 
     \\param extra  inches beside the axes, for a colour bar
     \\param room   margin, as a fraction of the region's larger extent: on all sides, or (left and right, above and below)
@@ -56,7 +56,7 @@ def canvas(points, title, unit, extra=0.0, room=0.03, names=("x", "y")):
 
 
 def fitted(figure, text, inches):
-    """The text of a title with line ends between words, so that no line is wider."""
+    """The text of a title, with line breaks between words, so that no line is too wide."""
     renderer = figure.canvas.get_renderer()
     font = FontProperties(size=plt.rcParams["axes.titlesize"])
     lines = []
@@ -71,7 +71,7 @@ def fitted(figure, text, inches):
 
 
 def wrapped(text, width):
-    """The text with line ends between words, and within words longer than a line."""
+    """The text with line breaks between words, and within words longer than a line."""
     import textwrap
     return "\n".join(textwrap.wrap(text, max(width, 20))) or text
 

@@ -1,4 +1,4 @@
-"""Reads summary.json and checks the shape of everything that the report takes from it."""
+"""Reads summary.json and checks the structure of everything that the report uses."""
 import json
 
 from .style import PlotError
@@ -6,7 +6,7 @@ from .style import PlotError
 NUMBER, COUNT, TEXT, FLAG, NUMBERS = "a number", "a whole number", "a text", "true or false", "a list of numbers"
 TEXTS, RANGE = "a list of texts", {"min": NUMBER, "avg": NUMBER, "max": NUMBER}
 EXTREME = {"value": NUMBER, "unit": TEXT, "body": TEXT, "contact": TEXT, "place": NUMBERS}
-# Keys that every summary has are marked with an exclamation mark; "*" stands for any name.
+# Required keys are marked with an exclamation mark; "*" matches any name.
 SHAPE = {
     "title": TEXT, "scene": TEXT, "units": TEXT, "failure": TEXT, "mesh_hash": TEXT, "converged!": FLAG, "verified": FLAG, "exit_code!": COUNT,
     "elements!": COUNT, "dimension": COUNT, "nodes": COUNT, "dofs": COUNT, "ranks": COUNT, "subdomains": COUNT, "interface_dofs": COUNT, "seconds": NUMBER,
@@ -37,7 +37,7 @@ FITS = {
 
 
 def faults(value, shape, path=""):
-    """Sentences on all that does not fit. A null fits everywhere but for keys that every summary has: it stands for what is not finite."""
+    """Sentences on all mismatches. Null is allowed except for required keys: it represents values that are not finite."""
     if not isinstance(shape, dict):
         return [] if FITS[shape](value) else [f"{path}: {json.dumps(value)[:40]} instead of {shape}"]
     if not isinstance(value, dict):

@@ -1,10 +1,10 @@
-"""Signs of engineering drawings: arrows, triangles, hatches, springs. All lengths are those of the picture's data."""
+"""Symbols of engineering drawings: arrows, triangles, hatches, springs. All lengths are in data coordinates."""
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 
 class Symbols:
-    """Draws signs on axes and remembers where they are, so that labels keep off them."""
+    """Draws symbols on axes and records their positions, so that labels avoid them."""
 
     def __init__(self, axes, size):
         self.axes, self.size = axes, size
@@ -40,7 +40,7 @@ class Symbols:
         self.lines(np.stack([rail + 0.32 * s * across, rail - 0.32 * s * across], axis=1), colour)
 
     def hatches(self, points, outward, colour):
-        """Held in all directions: a triangle on hatched ground."""
+        """A triangle on hatched ground: held in all directions."""
         across = np.column_stack([-outward[:, 1], outward[:, 0]])
         s = self.size
         base = points + 0.5 * s * outward
@@ -67,7 +67,7 @@ class Symbols:
         self.lines(np.stack([points, points + 0.3 * self.size * (into - 0.6 * across)], axis=1), colour, 0.7)
 
     def turn(self, centre, counterclockwise, colour, radius=1.0):
-        """An arrow round `centre`."""
+        """An arrow around `centre`."""
         angles = np.radians(np.linspace(-60, 200, 40))
         circle = np.column_stack([np.cos(angles), np.sin(angles)]) * radius * self.size
         if not counterclockwise:

@@ -1,4 +1,4 @@
-"""The scene in words, from its resolved parameters."""
+"""Describes the scene in words, from its resolved parameters."""
 import numpy as np
 
 from .families import CROWD, families
@@ -6,12 +6,12 @@ from .grid import WORDS
 from .units import vector
 
 MODELS = {
-    "Plane Strain": "plane strain: no strain across the plane (long bodies)",
-    "Plane Stress": "plane stress: no stress across the plane (thin sheets)",
+    "Plane Strain": "plane strain: no out-of-plane strain (long bodies)",
+    "Plane Stress": "plane stress: no out-of-plane stress (thin sheets)",
     "Axisymmetric": "axisymmetric: bodies of revolution about the axis x = 0; forces are those of the whole circle",
     "Solid": "solid: three dimensions"
 }
-# Types of conditions that hold bodies; all others load them.
+# Types of conditions that are supports; all others are loads.
 SUPPORTS = ("Displacement", "Bilateral", "Elastic Support", "Mean Displacement")
 PARTIAL = ("Displacement", "Mean Displacement")  # may prescribe some components
 
@@ -43,7 +43,7 @@ class Condition:
 
     @property
     def direction(self):
-        """Vector in the plane or in space, or None: where the values are functions, that of the resultant."""
+        """Vector in 2D or 3D, or None; if the values are functions, the resultant."""
         dimension = self.run.dimension
         if self.value is not None and len(self.value) >= dimension:
             found = self.value
@@ -60,10 +60,10 @@ class Condition:
         return self.run.summary.get("reactions", {}).get("conditions", {}).get(self.name, {}).get("force")
 
     def amount(self):
-        """Values with their unit: (0, -5) MPa."""
+        """Values with their unit, e.g. (0, -5) MPa."""
         unit = f" {self.unit}" if self.unit else ""
         if self.type == "Bilateral":
-            return "normal displacement zero, free to slide"
+            return "zero normal displacement, free to slide"
         if self.type == "Elastic Support":
             per = f"{self.run.stress_unit}/{self.run.length_unit}"
             return ", ".join(f"{what.lower()} {vector(self.given[what])} {per}" for what in ("Normal Stiffness", "Tangential Stiffness")
@@ -82,7 +82,7 @@ class Condition:
         return vector(self.value) + unit + extra
 
     def place(self, short=False):
-        """\\param short  many groups by families"""
+        """\\param short  abbreviates long lists of groups by families"""
         if self.type == "Point Force":
             return f"at {vector(self.given.get('Point', []))}"
         if self.groups:
@@ -98,7 +98,7 @@ def conditions(run):
 
 
 class Contact:
-    """A contact of the scene: two sides, or a side and an obstacle."""
+    """A contact of the scene, between two sides or a side and an obstacle."""
 
     def __init__(self, run, name, given):
         self.run, self.name, self.given = run, name, given

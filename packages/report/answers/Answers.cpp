@@ -16,7 +16,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kEqualPressure = 1e-6;  // relative difference of pressures that count as equal: the first pair of them is told
+constexpr double kEqualPressure = 1e-6;  // relative difference of pressures that count as equal; the first such pair is reported
 
 Json componentsOf(const Point& vector, int dimension) {
   Json all = Json::array();
@@ -24,7 +24,7 @@ Json componentsOf(const Point& vector, int dimension) {
   return all;
 }
 
-/// In the plane the moment about the axis across it.
+/// In 2D the moment about the out-of-plane axis.
 Json momentOf(const Point& moment, int dimension) { return dimension == 2 ? Json::array({moment[2]}) : componentsOf(moment, 3); }
 
 Json resultantOf(const Resultant& sum, int dimension) {
@@ -92,7 +92,7 @@ Resultant sumOfResultants(const std::vector<ConditionResultant>& conditions, con
   Resultant sum;
   for (const ConditionResultant& condition : conditions) sum.add(condition.sum);
   for (const ContactResultant& contact : contacts)
-    if (contact.pairs > 0 && contact.bodies[1].empty()) sum.add(contact.onB, -1.0);  // an obstacle pushes back
+    if (contact.pairs > 0 && contact.bodies[1].empty()) sum.add(contact.onB, -1.0);  // reaction of the obstacle
   return sum;
 }
 

@@ -19,23 +19,23 @@ namespace suture {
 
 namespace {
 
-/// Values at a point. Plain: it travels as bytes.
+/// Values at a point. Trivially copyable, since it is sent as bytes.
 struct Row {
   GlobalId order = 0;  ///< number of the point, or of the node in the mesh
   int body = -1, unused = 0;
   double arc = 0.0;
   Point place{0, 0, 0}, displacement{0, 0, 0};
-  std::array<double, 6> stress{};  // as StressVector.hpp has them: in the plane the last two are zero
+  std::array<double, 6> stress{};  // as in StressVector.hpp; in 2D the last two are zero
 };
 
-/// A side of a group, between two nodes of the mesh. Plain.
+/// A side of a group, between two nodes of the mesh. Trivially copyable.
 struct GroupSide {
-  GlobalId first, second, between;  ///< between: -1 of a straight side
+  GlobalId first, second, between;  ///< between: -1 for a straight side
 
   bool operator<(const GroupSide& other) const { return std::tie(first, second) < std::tie(other.first, other.second); }
 };
 
-/// Stresses of a mesh's elements at their centroids, made when first asked for.
+/// Stresses of a mesh's elements at their centroids, computed on first use.
 class Centroids {
  public:
   Centroids(const Run& run, int mesh) : run_(run), mesh_(mesh) {}
@@ -105,7 +105,7 @@ std::vector<Row> rowsOfPoints(const Run& run, const Probe& probe, const FoundPoi
   return rows;
 }
 
-/// A row a node and side; in the plane the sides of the group that this rank has.
+/// One row per node and side; in 2D also collects this rank's sides of the group.
 std::vector<Row> rowsOfGroup(const Run& run, const Probe& probe, Values& values, std::vector<GroupSide>& sides) {
   std::vector<Row> rows;
   for (std::size_t m = 0; m < run.subdomains.size(); ++m) {
@@ -128,9 +128,9 @@ std::vector<Row> rowsOfGroup(const Run& run, const Probe& probe, Values& values,
   return rows;
 }
 
-/// Nodes along the sides, run after run; each begins at an end, or, of a closed curve, at its lowest node.
+/// Nodes ordered along the sides, chain by chain; a chain starts at an end, or at its lowest node if it is closed.
 std::vector<GlobalId> ordered(std::vector<GroupSide> sides) {
-  std::sort(sides.begin(), sides.end());  // not in the order of ranks
+  std::sort(sides.begin(), sides.end());  // independent of the order of ranks
   std::map<GlobalId, std::vector<std::size_t>> at;
   for (std::size_t i = 0; i < sides.size(); ++i) at[sides[i].first].push_back(i), at[sides[i].second].push_back(i);
   std::vector<char> done(sides.size(), 0);
@@ -153,7 +153,7 @@ std::vector<GlobalId> ordered(std::vector<GroupSide> sides) {
   const auto hasMore = [&](const std::vector<std::size_t>& own) {
     return std::any_of(own.begin(), own.end(), [&](std::size_t i) { return !done[i]; });
   };
-  // A run of sides with the body on their left begins where a side begins and none ends.
+  // An open chain with the body on its left starts at a node where a side begins and none ends.
   for (const auto& [node, own] : at)
     if (own.size() == 1 && sides[own[0]].first == node && hasMore(own)) walk(node);
   for (const auto& [node, own] : at)
@@ -161,7 +161,7 @@ std::vector<GlobalId> ordered(std::vector<GroupSide> sides) {
   return nodes;
 }
 
-/// A row a node: in the plane along the sides, on a surface by number.
+/// One row per node: in 2D ordered along the sides, on a surface by number.
 std::vector<Row> ofNodes(const std::vector<Row>& all, const std::vector<GroupSide>& sides) {
   std::map<GlobalId, std::pair<Row, int>> means;  // over the sides at a node
   for (const Row& row : all) {
@@ -191,7 +191,7 @@ std::string textOf(const Run& run, const std::vector<Row>& rows, bool ofGroup) {
     for (const auto* list : {&run.solution.pairs, &run.solution.onAxis})
       for (const PairResult& pair : *list) pairs[pair.node] = &pair;
   std::string text = "arc_length,x,y,z,body,ux,uy,uz,sxx,syy,szz,sxy,syz,sxz,von_mises,principal_1,principal_3,gap,pressure\n";
-  double place = 0.0, displacement = 0.0, largest = 0.0, gap = 0.0, pressure = 0.0;  // largest of each kind
+  double place = 0.0, displacement = 0.0, largest = 0.0, gap = 0.0, pressure = 0.0;  // largest value of each kind
   for (const Row& row : rows) {
     place = std::max({place, norm(row.place), row.arc});
     displacement = std::max(displacement, norm(row.displacement));
@@ -205,7 +205,7 @@ std::string textOf(const Run& run, const std::vector<Row>& rows, bool ofGroup) {
     Matrix stress(1, run.model.dimension == 2 ? 4 : 6);
     for (Eigen::Index k = 0; k < stress.cols(); ++k) stress(0, k) = row.stress[std::size_t(k)];
     const Matrix principal = principalStresses(stress);
-    const bool inPlane = run.model.dimension == 2;  // the stress across is one of them
+    const bool inPlane = run.model.dimension == 2;  // the out-of-plane stress is one of them
     const double most = inPlane ? std::max(principal(0, 0), row.stress[2]) : principal(0, 0),
                  least = inPlane ? std::min(principal(0, 1), row.stress[2]) : principal(0, 2);
     text += csvNumber(row.arc, place).substr(1);

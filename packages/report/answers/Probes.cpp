@@ -16,7 +16,7 @@ namespace suture {
 
 namespace {
 
-/// Parameters of each type; those of the others are refused beside it.
+/// Parameters of each type; a probe may only have those of its type.
 const std::map<std::string, std::vector<std::string>>& parametersOf() {
   static const std::map<std::string, std::vector<std::string>> all{{"Point", {"Place"}}, {"Line", {"From", "To"}}, {"Group", {"Group"}}};
   return all;
@@ -46,11 +46,12 @@ class Entry {
       for (const std::string& name : names) {
         if (type == type_ && !list_.isParameter(name)) problems_.add(probe_.path + "/" + name, "is missing: a " + type + " needs it");
         if (type != type_ && list_.isParameter(name))
-          problems_.add(probe_.path + "/" + name, "a " + type_ + " does not take it; a " + type + " does");
+          problems_.add(probe_.path + "/" + name, "a " + type_ + " does not have this parameter; a " + type + " does");
       }
     if (type_ != "Line" && list_.isParameter("Points"))
-      problems_.add(probe_.path + "/Points", "only a Line has a number of points; found in a " + type_);
-    if (type_ == "Group" && list_.isParameter("Body")) problems_.add(probe_.path + "/Body", "a Group is in the body of its sides");
+      problems_.add(probe_.path + "/Points", "only a Line has this parameter; found in a " + type_);
+    if (type_ == "Group" && list_.isParameter("Body"))
+      problems_.add(probe_.path + "/Body", "not allowed for a Group: its sides determine the body");
   }
 
   int bodyOf() {
@@ -110,20 +111,20 @@ std::string Probe::fileName() const {
 }
 
 Schema probeSchema() {
-  return Schema("a table probe_<name>.csv: displacement and stress, along sides of contact also gap and pressure")
+  return Schema("Table probe_<name>.csv: displacement and stress; on contact sides also gap and pressure.")
       .oneOf("Type", std::nullopt, {"Point", "Line", "Group"},
-             "Point: one place; Line: places between two ends, at equal distances; Group: all nodes of a side group, in the plane along it")
+             "Point: one point; Line: equidistant points between two end points; Group: all nodes of a side group, in 2D ordered along it")
       .reals("Place", std::nullopt, "Point: its coordinates on the undeformed body [length]", "length")
       .optional()
-      .reals("From", std::nullopt, "Line: the first end [length]", "length")
+      .reals("From", std::nullopt, "Line: first end point [length]", "length")
       .optional()
-      .reals("To", std::nullopt, "Line: the other end [length]", "length")
+      .reals("To", std::nullopt, "Line: second end point [length]", "length")
       .optional()
-      .integer("Points", std::nullopt, "Line: number of points, the ends included; 101 if left out", Range::atLeast(2))
+      .integer("Points", std::nullopt, "Line: number of points, including both ends; default 101", Range::atLeast(2))
       .optional()
       .text("Group", std::nullopt, "Group: a side group of the mesh")
       .optional()
-      .text("Body", std::nullopt, "Point, Line: the body that is meant; if left out, the first that has the point")
+      .text("Body", std::nullopt, "Point, Line: the body; default: the first body that contains the point")
       .optional();
 }
 
@@ -136,7 +137,8 @@ std::vector<Probe> readProbes(const Parameters& scene, const std::vector<std::st
   for (const std::string& name : sublistNames(list)) {
     probes.push_back(Entry(list.sublist(name), sceneDimension(scene), bodies, problems).read(name));
     const auto [at, isNew] = files.emplace(probes.back().fileName(), name);
-    if (!isNew) problems.add(probes.back().path, "has the file " + at->first + " of the probe '" + at->second + "'; give it another name");
+    if (!isNew)
+      problems.add(probes.back().path, "writes the same file " + at->first + " as the probe '" + at->second + "'; rename one of them");
   }
   problems.throwIfAny();
   return probes;
@@ -160,7 +162,7 @@ std::vector<FoundPoints> locateProbes(const Comm& comm, const std::vector<Subdom
         probe.path,
         "the point " + placeText(first.place, probe.dimension) + " is outside " +
             (first.body < 0 ? "all bodies" : "the body '" + bodies[first.body] + "'") + "; " + found.nearest.front() +
-            (others > 0 ? " (and so " + std::to_string(others) + " more of " + std::to_string(probe.points.size()) + " points)" : ""));
+            (others > 0 ? " (as are " + std::to_string(others) + " more of " + std::to_string(probe.points.size()) + " points)" : ""));
   }
   problems.throwIfAny();
   return all;

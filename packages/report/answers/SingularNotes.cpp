@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-/// Nodes of the place of a stress: the node itself, or those of the element. The same on all ranks. Collective.
+/// Nodes at the location of a stress: the node itself, or those of the element. The same on all ranks. Collective.
 std::vector<int> nodesOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Extreme& at) {
   std::vector<int> mine;
   for (const SubdomainMesh& mesh : meshes) {
@@ -62,7 +62,7 @@ std::vector<std::string> singularNotes(const Comm& comm, const std::vector<Subdo
     if (found[i].empty()) continue;
     const std::string at = placeText(places[i].pair < 0 ? stress.place : place, all);
     notes.push_back(broadcast(comm, "the largest " + names[i] + " is at " + at + ", " + found[i] +
-                                        ": the exact value there has no bound, and this one grows with finer elements"));
+                                        ": the exact value there is unbounded, and the computed value grows with mesh refinement"));
   }
   return notes;
 }

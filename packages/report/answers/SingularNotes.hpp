@@ -7,8 +7,8 @@
 
 namespace suture {
 
-/// A note each for the largest von Mises stress and the largest pressure where they sit at a place that is singular by geometry: a
-/// re-entrant corner, the end of a contact side on a partner that goes on. There the exact value has no bound. The same on all ranks.
+/// Notes on geometric singularities: one each for the largest von Mises stress and the largest pressure if it is at a re-entrant corner or
+/// at the end of a contact side whose partner continues. The exact value there is unbounded. The same on all ranks.
 /// Collective.
 std::vector<std::string> singularNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Solution& solution);
 

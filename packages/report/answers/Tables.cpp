@@ -48,7 +48,7 @@ std::string csvField(const std::string& text) {
 std::string csvNumber(double value, double largest) {
   if (std::abs(value) <= kRounding * largest) return ",0";
   char text[32] = ",";
-  return {text, std::to_chars(text + 1, text + sizeof text, value, std::chars_format::general, 9).ptr};  // as %.9g, in a third of the time
+  return {text, std::to_chars(text + 1, text + sizeof text, value, std::chars_format::general, 9).ptr};  // as %.9g, three times faster
 }
 
 void writeContactTable(const Run& run, const std::string& path) {

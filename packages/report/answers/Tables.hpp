@@ -5,16 +5,17 @@
 
 namespace suture {
 
-/// A field of a CSV file; quoted where it has commas, quotes or line breaks. Local.
+/// A field of a CSV file, quoted if it contains commas, quotes or line breaks. Local.
 std::string csvField(const std::string& text);
 
-/// A number with nine digits, after a comma; zero where it is mere rounding beside the largest of its column. Local.
+/// A comma and a number with nine digits; zero if it is mere round-off relative to the largest of its column. Local.
 std::string csvNumber(double value, double largest);
 
-/// contact.csv: a row a contact pair, nine digits. On rank 0. \throws EnvironmentError
+/// contact.csv: one row per contact pair, nine digits. On rank 0. \throws EnvironmentError
 void writeContactTable(const Run& run, const std::string& path);
 
-/// reactions.csv: a row a boundary condition, a contact, and the sum of conditions and obstacles. On rank 0. \throws EnvironmentError
+/// reactions.csv: one row per boundary condition and contact, and the sum of conditions and obstacles. On rank 0.
+/// \throws EnvironmentError
 void writeReactionTable(const Run& run, const std::string& path);
 
 }  // namespace suture

@@ -1,1 +1,1 @@
-"""Pictures of runs in space. Nothing here needs a display or a graphics library: NumPy draws the images, matplotlib the pages."""
+"""Plots of 3D runs. No display or graphics library is needed: NumPy renders the images, matplotlib the pages."""

@@ -1,4 +1,4 @@
-"""Topology of the cells of space, by their VTK numbers, and the linear parts in which they are drawn.
+"""Topology of 3D cells by their VTK types, and the linear parts into which they are split for plotting.
 
 Nodes are numbered as in the files.
 """
@@ -15,9 +15,9 @@ PYRAMID_FACES = ((0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4))
 
 
 class Face:
-    """Shape of a face with so many nodes: its vertices, the middles of its edges, its centre, as far as it has them.
+    """Shape of a face with a given number of nodes: vertices, mid-edge nodes, centre node, if present.
 
-    It is drawn as triangles. A quadrilateral has a fan of them about its centre; one without a node there gets one, by its shape functions.
+    It is plotted as triangles, a quadrilateral as a fan about its centre; a missing centre node is added by the shape functions.
     """
 
     def __init__(self, vertices, outline, triangles, beside, centre=None):
@@ -32,7 +32,7 @@ def fan(outline, centre=None):
     return Face(4, outline, [(a, b, 8 if parts == 8 else 4) for a, b in zip(outline, np.roll(outline, -1))], range(parts), centre)
 
 
-ROUND = (0, 4, 1, 5, 2, 6, 3, 7)  # outline of a quadrilateral of order two
+ROUND = (0, 4, 1, 5, 2, 6, 3, 7)  # outline of a second-order quadrilateral
 FACES = {
     3: Face(3, (0, 1, 2), [(0, 1, 2)], (0, 0, 0)), 4: fan((0, 1, 2, 3), [0.25] * 4),
     6: Face(3, (0, 3, 1, 4, 2, 5), [(0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)], (0, 1, 1, 2, 2, 0)),
@@ -41,14 +41,14 @@ FACES = {
 
 
 def with_centres(values, centres):
-    """Values at vertices, and at centres of faces behind them. `centres`: [(vertices of each face, weights)]"""
+    """Values at vertices, followed by values at centres of faces. `centres`: [(vertices of each face, weights)]"""
     return np.concatenate([values, *(np.tensordot(values[faces], weights, axes=(1, 0)) for faces, weights in centres)])
 
 
 class Cell:
-    """Shape of a cell: its vertices come first.
+    """Shape of a cell; its vertices come first.
 
-    Faces are seen from outside anticlockwise: vertices, middles of their edges, centre. `centre`: weights of the nodes for the middle.
+    Face nodes are anticlockwise seen from outside: vertices, mid-edge nodes, centre. `centre`: weights of the nodes for the cell centre.
     """
 
     def __init__(self, nodes, vertices, faces, centre):
@@ -59,7 +59,7 @@ class Cell:
     def tetrahedra(self):
         """(weights, tetrahedra): the cell as tetrahedra from its centre to the triangles of its faces, which neighbours share.
 
-        A row of weights a point: the nodes, centres of faces without a node there, the centre.
+        One row of weights per point: the nodes, the centres of faces without a centre node, the cell centre.
         """
         rows, found = list(np.eye(self.nodes)), []
         for face in self.faces:
@@ -74,7 +74,7 @@ class Cell:
 
 
 def with_middles(faces, edges, vertices):
-    """Faces of a cell of order two."""
+    """Faces of a second-order cell."""
     middle = {frozenset(edge): vertices + number for number, edge in enumerate(edges)}
     return [(*face, *(middle[frozenset(ends)] for ends in zip(face, (*face[1:], face[0])))) for face in faces]
 

@@ -1,4 +1,4 @@
-"""contact.png, contact_2.png, ...: pressure and gap on each contact surface, with friction the tangential traction, too."""
+"""contact.png, contact_2.png, ...: pressure and gap on each contact surface; with friction also the tangential traction."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -26,11 +26,11 @@ USED = LinearSegmentedColormap.from_list("used", ["#e3f1ea", "#8cc9ab", "#00694D
 PLAIN, STRIPE = np.array([0.93, 0.93, 0.93]), np.array([0.72, 0.72, 0.72])
 WIDTH = 10.0  # inches
 HIGHEST = 9.8  # inches of all panels of a page
-FLAT = 0.4  # height over width below which both panels have the whole width
+FLAT = 0.4  # ratio of height to width below which both panels have the full width
 
 
 class Panels:
-    """A contact with its chart, and the inches that its panels take."""
+    """A contact with its chart, and the size of its panels in inches."""
 
     def __init__(self, surface):
         self.surface, self.chart = surface, Chart(surface)
@@ -40,7 +40,7 @@ class Panels:
         aspect = (self.high - self.low)[1] / (self.high - self.low)[0]
         self.stacked = aspect < FLAT
         wide = 0.68 * WIDTH if self.stacked else 0.5 * WIDTH - 1.5
-        strip = 0.45 if self.chart.names else 0.8  # tick labels and their axis, or axes and scale
+        strip = 0.45 if self.chart.names else 0.8  # tick and axis labels, or axes and scale
         self.panel = min(wide * aspect, 3.6)  # inches of the picture
         self.width = self.panel / aspect
         self.rows = (2 if self.stacked else 1) * (2 if surface.rubs else 1)
@@ -48,7 +48,7 @@ class Panels:
 
 
 def contact_figures(run):
-    """Pages of the picture: [(words on its part, figure)], drawn as they are asked for."""
+    """Yields the pages: (words on its part, figure)."""
     pages, room = [], 0.0
     for panels in map(Panels, contact_surfaces(run)):
         if not pages or room + panels.height > HIGHEST:
@@ -78,9 +78,9 @@ def contact_figure(run, page, part):
         draw(run, panels, axes)
     handles = [Patch(facecolor=PLAIN, edgecolor=STRIPE, hatch="////", lw=0, label="open: no pressure"),
                Patch(facecolor=PLAIN, lw=0, label="closed: no gap"),
-               Line2D([], [], color="black", lw=1.4, label="border of the closed part")]
+               Line2D([], [], color="black", lw=1.4, label="edge of the closed area")]
     if any(panels.surface.rubs for panels in page):
-        handles.append(Line2D([], [], color="white", lw=1.1, path_effects=[withStroke(linewidth=2.4, foreground="black")], label="border of the sticking part"))
+        handles.append(Line2D([], [], color="white", lw=1.1, path_effects=[withStroke(linewidth=2.4, foreground="black")], label="edge of the sticking area"))
     figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=len(handles))
     return figure
 
@@ -106,7 +106,7 @@ def draw(run, panels, axes):
 
 
 def panel(run, panels, axes, raster, of, coloured_part, colours, words):
-    """One quantity on the surface. \param of  values, corners of the triangles, pairs whose largest value ends the colours"""
+    """One quantity on the surface. \param of  values, corners of the triangles, pairs whose largest value limits the colour scale"""
     (values, own, pairs), (name, unit, above, striped) = of, words
     top = max(np.nanmax(values[:panels.surface.pairs][pairs], initial=0.0), 0.0)
     factor, unit = scaled(unit, top)
@@ -122,7 +122,7 @@ def panel(run, panels, axes, raster, of, coloured_part, colours, words):
 
 
 def bar(panels, axes, colours, label):
-    """Colour bar as high as the picture beside it."""
+    """Colour bar with the height of the plot next to it."""
     drawn = axes.figure.colorbar(colours, cax=axes.inset_axes([1.0 + 0.12 / panels.width, 0.0, 0.14 / panels.width, 1.0]), format="%.4g")
     drawn.locator = MaxNLocator(nbins=max(2, min(6, int(2 * panels.panel))))
     drawn.update_ticks()
@@ -131,7 +131,7 @@ def bar(panels, axes, colours, label):
 
 
 def raster_for(panels, order):
-    """The chart's triangles, of which the nearer ones hide the others."""
+    """The chart's triangles, rendered with hidden surfaces removed."""
     columns = round(plt.rcParams["savefig.dpi"] * panels.width)
     raster = Raster(panels.low, panels.high, (FINER * max(1, round(plt.rcParams["savefig.dpi"] * panels.panel)), FINER * columns))
     corners = np.take_along_axis(panels.chart.flat, order[:, :, None], axis=1).reshape(-1, 2)
@@ -140,19 +140,19 @@ def raster_for(panels, order):
 
 
 def ground(raster, some, striped):
-    """Grey at some of the samples, with slanted stripes where pairs are open."""
+    """Grey at some of the samples, with diagonal stripes where pairs are open."""
     row, column = np.divmod(raster.samples[some], raster.shape[1])
     return np.where((striped & ((row + column) % (9 * FINER) < 2 * FINER))[:, None], STRIPE, PLAIN)
 
 
 def anticlockwise(flat):
-    """Order of the corners of each triangle in which it turns anticlockwise."""
+    """Corner order that makes each triangle anticlockwise."""
     turned = np.cross(flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]) < 0
     return np.where(turned[:, None], [0, 2, 1], [0, 1, 2])
 
 
 def lines(axes, panels):
-    """The border of the surface, and that of its closed part."""
+    """The border of the surface, and of its closed area."""
     surface, flat = panels.surface, panels.chart.flat
     triangle, side = surface.border()
     border = np.stack([flat[triangle, side], flat[triangle, (side + 1) % 3]], axis=1)
@@ -161,7 +161,7 @@ def lines(axes, panels):
 
 
 def border_between(axes, panels, share, **style):
-    """The line half way between pairs where `share` is 1 and where it is 0."""
+    """The line half way between pairs with `share` 1 and pairs with `share` 0."""
     corners = panels.chart.flat.reshape(-1, 2)
     between, _ = level.lines(corners, np.arange(len(corners)).reshape(-1, 3), share[panels.surface.triangles].reshape(-1), 0.5)
     axes.add_collection(LineCollection(between, zorder=5, **style))

@@ -1,17 +1,17 @@
-"""Contact surfaces of a run in space, and how they are laid out flat."""
+"""Contact surfaces of a 3D run, and their flat charts."""
 import numpy as np
 
 from ..friction import has_friction
 from .cells import FACES, with_centres
 from .view import turned_to_eye, view_from
 
-ONE_SIDE = 0.5  # length of the mean normal above which a surface is seen from one side
+ONE_SIDE = 0.5  # length of the mean normal above which a surface is viewed from one side
 ROUND = 0.03  # variance of the normals along an axis below which a surface is a cylinder about it
-ALIGNED = np.cos(np.radians(4.0))  # a view nearer than that to an axis is along it
+ALIGNED = np.cos(np.radians(4.0))  # a view closer to an axis is aligned with it
 
 
 class ContactSurface:
-    """The surface of one contact of the scene: points are its pairs, and centres of quadrilaterals between them."""
+    """The surface of one contact of the scene: points are its pairs, and the centres of quadrilaterals between them."""
 
     def __init__(self, grid, line, name):
         own = np.flatnonzero(grid.point_data["Line"] == line)
@@ -41,30 +41,30 @@ class ContactSurface:
             self.sticking, self.slipping = np.count_nonzero(stick == 1), np.count_nonzero(stick == 0)
 
     def border(self):
-        """(triangle, side) of the sides of triangles that no other has."""
+        """(triangle, side) of triangle sides without a neighbour."""
         ends = np.sort(np.stack([self.triangles, np.roll(self.triangles, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
         _, inverse, count = np.unique(ends[:, 0] * len(self.points) + ends[:, 1], return_inverse=True, return_counts=True)
         return np.divmod(np.flatnonzero(count[inverse] == 1), 3)
 
 
 def contact_names(run):
-    """{name: number} of the contacts of the scene that have pairs."""
+    """{name: number} of the scene's contacts with pairs."""
     names = list(run.parameter("Contact", default={}))
     lines = np.unique(run.contact.point_data["Line"]).astype(int).tolist() if run.contact is not None else []
     return {names[line] if 0 <= line < len(names) else f"contact {line}": line for line in lines}
 
 
 def contact_surfaces(run):
-    """Those of all contacts that have faces."""
+    """The surfaces of all contacts with faces."""
     found = [ContactSurface(run.contact, line, name) for name, line in contact_names(run).items()]
     return [surface for surface in found if len(surface.triangles)]
 
 
 class Chart:
-    """A contact surface in the picture: `flat` (triangles x 3 x 2) and `near` (triangles x 3).
+    """Flat chart of a contact surface: `flat` (triangles x 3 x 2) and `near` (triangles x 3).
 
-    Seen along its mean normal; a surface round an axis is unrolled. One that is round in all directions is seen along the normal at the
-    largest pressure, and its far side is not seen. `names`: of the picture's axes, where they can be ruled; else None, with a `view`.
+    The view is along its mean normal; a surface around an axis is unrolled. A surface around a point is viewed along the normal at the
+    largest pressure, and its far side is hidden. `names`: of the chart's axes, if they can have ticks; else None, with a `view`.
     """
 
     def __init__(self, surface):
@@ -95,7 +95,7 @@ class Chart:
         x, y = (flat - fitted[:2]).T
         peak = np.argmax(np.nan_to_num(surface.pressure))
         angle = np.angle((x + 1j * y) / (x[peak] + 1j * y[peak]))[surface.triangles]  # the cut is opposite to the largest pressure
-        last = angle[:, 2:]  # centre of a quadrilateral, all of whose triangles go to one side of the cut
+        last = angle[:, 2:]  # centre of a quadrilateral, all of whose triangles lie on one side of the cut
         angle = last + (angle - last + np.pi) % (2 * np.pi) - np.pi
         along = view.nearness(surface.points)[surface.triangles]
         self.flat, self.near = np.stack([radius * angle, along], axis=-1), np.zeros(angle.shape)
@@ -105,7 +105,7 @@ class Chart:
 
 
 def aligned(direction):
-    """The unit vector along it, or the axis that it nearly has."""
+    """The unit vector along `direction`, or the coordinate axis if nearly aligned with it."""
     direction = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
     largest = int(np.argmax(np.abs(direction)))
     return np.sign(direction[largest]) * np.eye(3)[largest] if abs(direction[largest]) > ALIGNED else direction

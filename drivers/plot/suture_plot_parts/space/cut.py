@@ -1,4 +1,4 @@
-"""A plane through the bodies and what is in it."""
+"""Plane sections through the bodies."""
 import argparse
 import re
 
@@ -9,11 +9,11 @@ from . import level
 from .cells import CELLS
 from .view import View
 
-INSIDE = 1e-7  # parts of the scene's extent by which a plane on its outside is moved inward: there would be nothing in it
+INSIDE = 1e-7  # fraction of the model size by which a plane on the outside is moved inward, since a section there would be empty
 
 
 class Plane:
-    """All points whose coordinate `axis` (0, 1, 2) is `value`. The picture has the other two to the right and upward."""
+    """All points whose coordinate `axis` (0, 1, 2) is `value`. The plot shows the other two to the right and upward."""
 
     def __init__(self, axis, value):
         self.axis, self.value = axis, value
@@ -27,7 +27,7 @@ class Plane:
 
 
 def plane(text):
-    """For the command line: x=0.5."""
+    """Parses x=0.5 of the command line."""
     found = re.fullmatch(r"\s*([xyz])\s*=\s*(\S+)\s*", text)
     try:
         return "xyz".index(found.group(1)), float(found.group(2))
@@ -36,7 +36,7 @@ def plane(text):
 
 
 def chosen_plane(run, wanted):
-    """That which is asked for, (axis, value); else through the largest pressure, or through the middle of the bodies, across their shorter
+    """The requested plane, (axis, value); else through the largest pressure, or through the middle of the bodies, normal to their shorter
     horizontal extent."""
     points = run.fields.points
     low, high = points.min(axis=0), points.max(axis=0)
@@ -45,7 +45,7 @@ def chosen_plane(run, wanted):
         slack = 1e-9 * (high - low).max()
         if not low[axis] - slack <= value <= high[axis] + slack:
             name = "xyz"[axis]
-            raise PlotError(f"--cut {name}={value:g} passes beside the bodies, which reach from {name} = {low[axis]:g} to {high[axis]:g}")
+            raise PlotError(f"--cut {name}={value:g} is outside the bodies, which reach from {name} = {low[axis]:g} to {high[axis]:g}")
         return Plane(axis, value)
     axis = int(np.argmin((high - low)[:2]))
     value = 0.5 * (low + high)[axis]
@@ -57,7 +57,7 @@ def chosen_plane(run, wanted):
 
 
 class Cut:
-    """Triangles in the plane: `corners` (triangles x 3 x 3), the fields `values` at them or in their cells, by name.
+    """Triangles of the section: `corners` (triangles x 3 x 3), and the fields `values` at corners or in cells, by name.
 
     \\param fields  at the grid's nodes, by name
     """
@@ -95,6 +95,6 @@ class Cut:
         return self.plane.view.flat(self.corners)
 
     def lines(self, points, triangles):
-        """The lines in which a surface passes through the plane, in the picture, and the triangles of each."""
+        """The intersection lines of a surface with the plane, in plot coordinates, and the triangle of each."""
         segments, crossed = level.lines(points, triangles, points[:, self.plane.axis], self.at)
         return self.plane.view.flat(segments), crossed

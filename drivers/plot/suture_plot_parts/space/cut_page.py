@@ -1,4 +1,4 @@
-"""von_mises_cut.png: the von Mises stress in a plane through the undeformed bodies."""
+"""von_mises_cut.png: the von Mises stress in a plane section of the undeformed bodies."""
 import matplotlib
 import numpy as np
 from matplotlib.collections import LineCollection
@@ -23,12 +23,12 @@ def cut_figure(scene, plane):
     values, nodal = stress(run, "NodalVonMises", "VonMises")
     cut = Cut(run.fields, plane, {"stress": values} if nodal else {})
     if not len(cut.corners):
-        raise PlotError(f"no element lies in the plane {words}")
+        raise PlotError(f"the plane {words} contains no element")
     found = cut.values["stress"] if nodal else np.repeat(values[cut.cells][:, None], 3, axis=1)
     top = np.nanmax(found, initial=0.0)
     factor, unit = scaled(run.stress_unit, top)
     corners = cut.flat.reshape(-1, 2)
-    title = f"{run.title}: von Mises stress in the plane {words}, largest {factor * top:.4g} {unit}{run.state}"
+    title = f"{run.title}: von Mises stress on the plane {words}, largest {factor * top:.4g} {unit}{run.state}"
     figure, axes = canvas(corners, title, run.length_unit, extra=BESIDE, room=0.05, names=plane.names)
     raster = raster_of(figure, axes)
     raster.draw(corners, np.zeros(len(corners)), np.arange(len(corners)).reshape(-1, 3))
@@ -52,7 +52,7 @@ def cut_figure(scene, plane):
 
 
 def contact_lines(run, axes, cut):
-    """Draws the contact surfaces' lines. \\return handles for the legend"""
+    """Draws the lines of the contact surfaces. \\return handles for the legend"""
     segments, closed = [np.zeros((0, 2, 2))], [np.zeros(0, dtype=bool)]
     for surface in contact_surfaces(run):
         own, crossed = cut.lines(surface.points, surface.triangles)

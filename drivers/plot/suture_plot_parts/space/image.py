@@ -1,15 +1,15 @@
-"""Colours of a raster's samples, and the image made of them."""
+"""Colours of a raster's samples, and the resulting image."""
 import numpy as np
 
 FINER = 2  # samples along each side of a pixel
-LIGHT = np.array([-0.2, 0.35, 1.0]) / np.linalg.norm([-0.2, 0.35, 1.0])  # to the right, upward, toward the eye
+LIGHT = np.array([-0.2, 0.35, 1.0]) / np.linalg.norm([-0.2, 0.35, 1.0])  # to the right, upward, towards the viewer
 AMBIENT = 0.76
-SMOOTH = np.cos(np.radians(40.0))  # normals that differ by less are those of one smooth surface
+SMOOTH = np.cos(np.radians(40.0))  # normals that differ by less belong to one smooth surface
 UNKNOWN = np.array([0.75, 0.75, 0.75])
 
 
 def brightness(view, points, triangles, normal):
-    """Brightness at the corners of the triangles under a lamp beside the eye, smooth where their normals nearly agree."""
+    """Brightness at the corners of the triangles under a light next to the viewer, smooth where their normals nearly agree."""
     order = np.argsort(triangles.reshape(-1), kind="stable")
     vertex, owner = triangles.reshape(-1)[order], order // 3
     starts = np.flatnonzero(np.concatenate([[True], vertex[1:] != vertex[:-1]])) if len(vertex) else np.zeros(0, dtype=int)
@@ -36,7 +36,7 @@ def coloured(values, low, high, colours):
 
 
 def picture(raster, colours, light=None):
-    """The image, red, green, blue and opacity: each pixel the mean of its samples. `colours`: at the raster's samples."""
+    """The image as red, green, blue and opacity; each pixel is the mean of its samples. `colours`: at the raster's samples."""
     bytes4 = np.full((len(colours), 4), 255, dtype=np.uint8)
     bytes4[:, :3] = colours * (255 if light is None else 255 * light[:, None]) + 0.5
     fine = np.zeros(raster.shape[0] * raster.shape[1], dtype=np.uint32)

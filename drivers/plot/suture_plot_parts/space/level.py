@@ -1,16 +1,16 @@
-"""Where a function that is linear on triangles or tetrahedra has a value."""
+"""Level sets of functions that are linear on triangles or tetrahedra."""
 import numpy as np
 
 
 def lines(points, triangles, values, level):
-    """Segments on which `values` (of the points) are `level`: (rows of two points, the triangles that they cross).
+    """Segments on which `values` (at the points) equal `level`: (rows of two points, the triangles that they cross).
 
     A point at the level counts as above it, so that no segment is found twice.
     """
     above = values[triangles] >= level
     crossed = np.flatnonzero(above.any(axis=1) & ~above.all(axis=1))
     own, above = triangles[crossed], above[crossed]
-    # The vertex that is alone on its side, and the other two.
+    # The vertex alone on its side, and the other two.
     alone = np.where(above.sum(axis=1) == 1, above.argmax(axis=1), (~above).argmax(axis=1))
     rows = np.arange(len(own))
     tip, one, two = (own[rows, (alone + k) % 3] for k in range(3))
@@ -18,15 +18,15 @@ def lines(points, triangles, values, level):
 
 
 def between(points, values, level, a, b):
-    """Points on the edges from a to b where the values are `level`."""
+    """Points on the edges from a to b where the values equal `level`."""
     t = (level - values[a]) / (values[b] - values[a])
     return points[a] + t.reshape(-1, *[1] * (points.ndim - 1)) * (points[b] - points[a])
 
 
 def section(points, tetrahedra, values, level):
-    """Triangles in which tetrahedra are cut where `values` are `level`: (rows of three points, tetrahedra).
+    """Triangles that are the sections of tetrahedra where `values` equal `level`: (rows of three points, tetrahedra).
 
-    `points` may have more columns than three: whatever else is linear in a tetrahedron.
+    `points` may have more than three columns, for other quantities that are linear in a tetrahedron.
     """
     above = values[tetrahedra] >= level
     count = above.sum(axis=1)

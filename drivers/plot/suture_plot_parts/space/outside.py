@@ -1,4 +1,4 @@
-"""von_mises.png, principal_stress.png, deformation.png, mesh.png: the outside of the bodies, each time in other colours."""
+"""von_mises.png, principal_stress.png, deformation.png, mesh.png: the outside of the bodies in different colours."""
 import matplotlib
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap
@@ -10,25 +10,25 @@ from ..style import COMPRESSION, TENSION, halo, shortened
 from ..units import scaled
 from .page import Page, Seen, legend_below, raster_of
 
-MOST_LINES = 40000  # with more sides of faces than that, they would make one black area
+MOST_LINES = 40000  # with more face sides, the lines would merge into a black area
 SIGNED = LinearSegmentedColormap.from_list("signed", [COMPRESSION, "#8fb2dc", "#f4f4f2", "#e59a93", TENSION])
 
 
 class Scene:
-    """What the pictures of one run share: its surface, how it moves, and whence one looks."""
+    """Data common to the plots of one run: surface, displacements, view."""
 
     def __init__(self, run, surface, factor, view):
         self.run, self.surface, self.factor, self.view = run, surface, factor, view
         self.points = surface.at(run.fields.points)
         self.moved = self.points + factor * surface.at(run.fields.point_data["Displacement"])
         self.creases = surface.edges[surface.creases()]
-        # Edges that are drawn of the undeformed and the deformed bodies.
+        # Visible edges of the undeformed and the deformed bodies.
         self.edges = {moved: np.unique(np.vstack([self.creases, surface.contours(points, view.toward)]), axis=0)
                       for moved, points in ((False, self.points), (True, self.moved))}
         self._seen = {}
 
     def page(self, what, moved=True):
-        """The deformed or undeformed bodies. Pages of the deformed ones hold the undeformed ones, too."""
+        """A page with the deformed or undeformed bodies. The frame of deformed bodies also contains the undeformed bodies."""
         reach, points = (np.vstack([self.points, self.moved]), self.moved) if moved else (self.points, self.points)
         page = Page(self.run, self.view, reach, self.title(what), room=0.05 if moved else 0.09)
         if moved not in self._seen:
@@ -44,19 +44,19 @@ class Scene:
         return "" if self.factor == 1 else f", displacements enlarged {self.factor:g} times"
 
     def moved_place(self, place):
-        """Where the deformed body has a point of the undeformed one: that of the nearest node."""
+        """Position of an undeformed point in the deformed body, by the displacement of the nearest node."""
         nearest = np.argmin(np.linalg.norm(self.run.fields.points - place, axis=1))
         return np.asarray(place) + self.factor * self.run.fields.point_data["Displacement"][nearest]
 
 
 def stress(run, nodal, centroids):
-    """(values, whether they are at nodes) of the field that the run has."""
+    """(values, whether they are nodal) of the field that the run has."""
     found = run.fields.point_data.get(nodal)
     return (found, True) if found is not None else (run.fields.cell_data[centroids], False)
 
 
 def extreme(run, name):
-    """(value, place in space) of summary.json, or None."""
+    """(value, 3D position) from summary.json, or None."""
     found = run.extremes.get(name)
     if not found or found.get("value") is None or len(found.get("place") or []) < 3:
         return None
@@ -64,7 +64,7 @@ def extreme(run, name):
 
 
 def largest_seen(page, values):
-    """Of values at the points or of the triangles: the largest on the triangles that are seen."""
+    """The largest of `values`, at points or per triangle, over the visible triangles."""
     shown = np.flatnonzero(np.bincount(page.seen.raster.shown))
     found = values[page.seen.triangles[shown]] if len(values) == len(page.seen.points) else values[shown]
     return np.nanmax(found, initial=0.0)
@@ -76,13 +76,13 @@ def on_surface(scene, found):
 
 
 def von_mises_figure(scene):
-    """Colours end at the largest value that is seen; the largest of all may be inside."""
+    """The colour scale ends at the largest visible value; the overall maximum may be inside."""
     run = scene.run
     page = scene.page(f"von Mises stress{scene.enlarged}")
     values, known = on_surface(scene, stress(run, "NodalVonMises", "VonMises")), extreme(run, "von_mises")
     top = largest_seen(page, values)
     factor, unit = scaled(run.stress_unit, top)
-    page.retitle(scene.title(f"von Mises stress, largest seen {factor * top:.4g} {unit}{scene.enlarged}"))
+    page.retitle(scene.title(f"von Mises stress, largest visible {factor * top:.4g} {unit}{scene.enlarged}"))
     page.colour_by(factor * values, 0.0, factor * top or 1.0, matplotlib.colormaps["viridis"], f"von Mises stress [{unit}]")
     lines = page.lines(scene.moved, scene.edges[True])
     if known:
@@ -91,9 +91,9 @@ def von_mises_figure(scene):
 
 
 def principal_figure(scene):
-    """The principal stress of the largest amount, with its sign."""
+    """The principal stress with the largest magnitude, with its sign."""
     run = scene.run
-    page = scene.page(f"principal stress of the largest amount{scene.enlarged}")
+    page = scene.page(f"principal stress of largest magnitude{scene.enlarged}")
     all_three, nodal = stress(run, "NodalPrincipalStress", "PrincipalStress")
     which = np.argmax(np.nan_to_num(np.abs(all_three), nan=-1.0), axis=1)
     values = on_surface(scene, (all_three[np.arange(len(which)), which], nodal))
@@ -111,7 +111,7 @@ def principal_figure(scene):
 
 
 def deformation_figure(scene):
-    """\\return figure, whether bodies are drawn into each other"""
+    """\\return figure, whether bodies overlap as drawn"""
     run, u = scene.run, scene.run.fields.point_data["Displacement"]
     largest = np.linalg.norm(u, axis=1).max()
     factor, unit = scaled(run.length_unit, largest)
@@ -129,7 +129,7 @@ def deformation_figure(scene):
 
 
 def mesh_figure(scene):
-    """Subdomains, with the sides of the faces. \\return figure, names of subdomains without a place"""
+    """Subdomains, with the sides of the faces. \\return figure, names of subdomains without enough space"""
     grid, surface = scene.run.fields, scene.surface
     names, prefix = short_names(grid.names["Subdomains"])
     title = f"{grid.count:,} elements, {len(names)} subdomain{'s' if len(names) != 1 else ''}" + (f" {prefix}*" if prefix else "")
@@ -151,7 +151,7 @@ def mesh_figure(scene):
 
 
 def seen_places(page, number, count):
-    """[(number, places in the picture)] of all that is seen, by the numbers of the triangles."""
+    """[(number, positions in the plot)] of all visible parts, by the numbers of the triangles."""
     raster = page.seen.raster
     some = slice(None, None, max(1, len(raster.samples) // 200000))
     flat, shown = raster.places(some), number[raster.shown[some]]

@@ -1,4 +1,4 @@
-"""A page with bodies in space: image, lines that are not hidden, axes, scale, colours."""
+"""A page with 3D bodies: image, visible lines, axes, scale, colours."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -14,30 +14,30 @@ from .raster import Raster, visible_parts
 from .ruler import axes_and_scale
 from .surface import normals
 
-BESIDE = 0.9  # inches beside the picture, for the colour bar
-BELOW = 0.85  # inches below the picture, for axes and scale
+BESIDE = 0.9  # inches beside the plot, for the colour bar
+BELOW = 0.85  # inches below the plot, for axes and scale
 
 
 class Seen:
-    """What one sees of triangles in a view, from outside: for all pictures of the same bodies in the same frame."""
+    """Visibility of triangles in a view, seen from outside; shared by all plots of the same bodies in the same frame."""
 
     def __init__(self, view, points, triangles, raster):
         self.view, self.points, self.triangles, self.raster = view, points, triangles, raster
         raster.draw(view.flat(points), view.nearness(points), triangles)
         self.light = raster.interpolate(brightness(view, points, triangles, normals(points, triangles)))
-        self.slack = 3.0 / raster.scale[0]  # what is nearer than that to a surface is on it
+        self.slack = 3.0 / raster.scale[0]  # points closer to a surface lie on it
 
     def hides(self, point):
         return bool(self.raster.hidden(self.view.flat(point[None]), self.view.nearness(point[None]), self.slack)[0])
 
     def parts(self, points, edges):
-        """The edges as far as nothing hides them, as segments of the picture."""
+        """The visible parts of the edges, as 2D segments."""
         place = np.column_stack([self.view.flat(points), self.view.nearness(points)])
         return visible_parts(self.raster, place[edges[:, 0]], place[edges[:, 1]], self.slack)
 
 
 class Page:
-    """Figure with the picture of a view. `reach`: points that it must hold."""
+    """Figure with the plot of a view. `reach`: points that the frame must contain."""
 
     def __init__(self, run, view, reach, title, room=0.05):
         self.view = view
@@ -49,35 +49,35 @@ class Page:
         self.axes.set_title(fitted(self.figure, title, self.figure.get_figwidth() - BESIDE - 1.0), loc="left")
 
     def draw(self, seen):
-        """The bodies, `seen` in this page's frame."""
+        """Draws the bodies; `seen` belongs to this page's frame."""
         self.seen = seen
 
     def colour(self, colours):
-        """`colours`: of the triangles, red, green, blue."""
+        """`colours`: red, green, blue per triangle."""
         show(self.axes, picture(self.seen.raster, colours[self.seen.raster.shown], self.seen.light))
 
     def colour_by(self, values, low, high, colours, label):
-        """With a colour bar. `values`: at the points, or of the triangles."""
+        """Colours by values, with a colour bar. `values`: at the points, or per triangle."""
         seen = self.seen
         found = seen.raster.interpolate(values[seen.triangles]) if len(values) == len(seen.points) else values[seen.raster.shown]
         show(self.axes, picture(seen.raster, coloured(found, low, high, colours), seen.light))
         colour_bar(self.figure, self.axes, low, high, colours, label)
 
     def lines(self, points, edges, **style):
-        """Edges as far as nothing hides them."""
+        """Draws the visible parts of edges."""
         parts = self.seen.parts(points, edges)
         self.axes.add_collection(LineCollection(parts, **{"colors": "black", "linewidths": 0.8, "capstyle": "round", "zorder": 4, **style}))
         return parts
 
     def placer(self, *lines):
-        """Places labels: beside the bodies if there is room, not on `lines`."""
+        """A placer of labels: outside the bodies if there is space, not on `lines`."""
         placer = placer_on(self.figure, self.axes, self.seen.raster)
         for segments in lines:
             placer.keep_off(segments)
         return placer
 
     def mark(self, placer, found):
-        """Rings at places in space, dashed where bodies hide them, with labels. `found`: [(place, label)]"""
+        """Rings at 3D points, dashed if bodies hide them, with labels. `found`: [(point, label)]"""
         hidden = [self.seen.hides(place) for place, _ in found]
         for (place, _), behind in zip(found, hidden):
             ring(self.axes, placer, self.view.flat(place), behind)
@@ -86,7 +86,7 @@ class Page:
 
 
 def placer_on(figure, axes, raster):
-    """Places labels beside what the image shows, if there is room."""
+    """A placer of labels outside the image content, if there is space."""
     for image in axes.images:
         image.set_visible(False)  # saves the time to draw it
     placer = LabelPlacer(figure, axes)
@@ -102,10 +102,10 @@ def bare(axes):
 
 
 def raster_of(figure, axes, extra=BESIDE):
-    """Samples for the region of the axes, as fine as the page is saved."""
+    """Samples for the region of the axes, at the resolution of the saved page."""
     (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
     wide, high = figure.get_figwidth() - extra - 1.0, figure.get_figheight() - 1.1
-    pixels = plt.rcParams["savefig.dpi"] * min(wide / (x1 - x0), high / (y1 - y0))  # a length
+    pixels = plt.rcParams["savefig.dpi"] * min(wide / (x1 - x0), high / (y1 - y0))  # per length
     return Raster((x0, y0), (x1, y1), [FINER * max(1, round(pixels * reach)) for reach in (y1 - y0, x1 - x0)])
 
 

@@ -1,19 +1,19 @@
-"""Rasteriser: which triangle is seen at each sample of a picture."""
+"""Rasteriser: finds the visible triangle at each sample of a plot."""
 import numpy as np
 
-MOST = 2_000_000  # samples at a time: what is computed stays small beside the picture
+MOST = 2_000_000  # samples at a time, which limits temporary memory
 
 
 class Raster:
-    """A grid of samples with the nearest triangle at each: the z-buffer algorithm, in runs of samples along rows (Catmull 1974).
+    """A grid of samples with the nearest triangle at each, by the z-buffer algorithm with spans of samples along rows (Catmull 1974).
 
-    `low`, `high`: corners of the picture; `shape`: its rows, the lowest first, and columns. `samples`, `shown`: numbers of the samples that
-    show a triangle, in the flattened grid, and the triangles.
+    `low`, `high`: corners of the plot; `shape`: numbers of rows (the lowest first) and columns. `samples`, `shown`: indices in the flattened
+    grid of the samples that show a triangle, and these triangles.
     """
 
     def __init__(self, low, high, shape):
         self.low, self.shape = np.array(low, dtype=float), tuple(shape)
-        self.scale = np.array([shape[1], shape[0]]) / (np.array(high) - self.low)  # samples a length
+        self.scale = np.array([shape[1], shape[0]]) / (np.array(high) - self.low)  # samples per length
         self.near = np.full(shape, -np.inf, dtype=np.float32)
         self.triangle = np.full(shape, -1, dtype=np.int32)
         self.corners = np.zeros((0, 3, 2))  # of all triangles, in samples
@@ -26,15 +26,15 @@ class Raster:
         self._x, self._y = column + 0.5, row + 0.5
 
     def in_samples(self, flat):
-        """Places of the picture in samples: the middle of the first sample is at 0.5."""
+        """Converts plot coordinates to samples; the centre of the first sample is at 0.5."""
         return (flat - self.low) * self.scale
 
     def places(self, some=slice(None)):
-        """Places in the picture of `samples`, or of some of them."""
+        """Plot coordinates of `samples`, or of some of them."""
         return np.column_stack([self._x[some], self._y[some]]) / self.scale + self.low
 
     def draw(self, flat, nearness, triangles):
-        """Adds triangles, of which those are seen that turn anticlockwise; equally near ones hide what was there before."""
+        """Adds triangles; only anticlockwise ones are visible. Of equally near triangles the last one is visible."""
         first, corners = len(self.corners), self.in_samples(flat)[triangles]
         self.corners = np.concatenate([self.corners, corners])
         which, row, start, length = self._spans(corners)
@@ -53,7 +53,7 @@ class Raster:
         self._seen()
 
     def _keep(self, place, near, owner):
-        """Samples as far as nothing nearer is there. Of several at one place some is written, and those nearer than it once more."""
+        """Keeps samples unless a nearer one exists. If several have one position, writes any of them, then the nearer ones again."""
         best, triangle = self.near.reshape(-1), self.triangle.reshape(-1)
         ahead = near >= best[place]
         while ahead.any():
@@ -63,7 +63,7 @@ class Raster:
             ahead = near > best[place]
 
     def _spans(self, corners):
-        """(triangle, row, first sample, length): runs of samples whose middles lie in a triangle, of all that turn anticlockwise."""
+        """(triangle, row, first sample, length): spans of samples whose centres lie in a triangle, for all anticlockwise triangles."""
         turns = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) > 0
         low = np.clip(np.ceil(corners[:, :, 1].min(axis=1) - 0.5), 0, self.shape[0]).astype(int)
         high = np.clip(np.floor(corners[:, :, 1].max(axis=1) - 0.5) + 1, 0, self.shape[0]).astype(int)
@@ -73,7 +73,7 @@ class Raster:
         left, right = np.zeros(len(which)), np.full(len(which), float(self.shape[1]))
         for k in range(3):
             a, b = corners[:, k], corners[:, (k + 1) % 3]
-            # Left of the edge from a to b: p x + q y + r >= 0. The same numbers but for the sign of both triangles on an edge: no gap.
+            # Left of the edge from a to b: p x + q y + r >= 0. Both triangles at an edge use the same numbers with opposite sign: no gap.
             p, q, r = (a[:, 1] - b[:, 1])[which], (b[:, 0] - a[:, 0])[which], (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])[which]
             rest = q * (row + 0.5) + r
             with np.errstate(divide="ignore", invalid="ignore"):
@@ -86,14 +86,14 @@ class Raster:
         return which[good], row[good], start[good].astype(int), length[good].astype(int)
 
     def interpolate(self, values):
-        """Linear values at `samples`, of those at the corners of all triangles."""
+        """Linear interpolation to `samples` of values at the corners of all triangles."""
         p, q, value = planes(self.corners, values)
         constant = value - p * self.corners[:, 0, 0] - q * self.corners[:, 0, 1]
         found = p[self.shown] * self._x + q[self.shown] * self._y + constant[self.shown]
         return np.clip(found, np.nanmin(values), np.nanmax(values)).astype(np.float32) if len(found) else found.astype(np.float32)
 
     def hidden(self, flat, nearness, slack):
-        """True at points behind triangles, by more than `slack`, in all nine samples around them."""
+        """True for points behind triangles by more than `slack`, in all nine samples around them."""
         column, row = np.floor(self.in_samples(flat)).astype(int).T
         behind = np.ones(len(flat), dtype=bool)
         for dy in (-1, 0, 1):
@@ -104,7 +104,7 @@ class Raster:
 
 
 def planes(corners, values):
-    """(p, q, value) of each triangle: value + p (x - x0) + q (y - y0) has the given values at its corners, of which 0 is the first."""
+    """(p, q, value) of each triangle: value + p (x - x0) + q (y - y0) interpolates the values at its corners; (x0, y0) is the first."""
     b, c = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     twice = np.cross(b, c)
     inverse = np.where(np.abs(twice) > 1e-12, 1.0 / np.where(twice == 0, 1.0, twice), 0.0)
@@ -113,7 +113,7 @@ def planes(corners, values):
 
 
 def visible_parts(raster, starts, ends, slack):
-    """The parts of segments that nothing hides, as segments of the picture. `starts`, `ends`: rows of two places and a nearness."""
+    """The visible parts of segments, in plot coordinates. `starts`, `ends`: rows of two coordinates and a nearness."""
     length = np.hypot(*((ends - starts)[:, :2] * raster.scale).T)
     parts = np.clip(np.ceil(length / 2.0), 1, 4000).astype(int)
     which = np.repeat(np.arange(len(parts)), parts + 1)
@@ -122,5 +122,5 @@ def visible_parts(raster, starts, ends, slack):
     points = (1 - t) * starts[which] + t * ends[which]
     clear = ~raster.hidden(points[:, :2], points[:, 2], slack)
     both = clear[1:] & clear[:-1] & (which[1:] == which[:-1])
-    change = np.diff(np.concatenate([[0], both.astype(int), [0]]))  # no run passes from one segment to the next
+    change = np.diff(np.concatenate([[0], both.astype(int), [0]]))  # no run continues into the next segment
     return np.stack([points[np.flatnonzero(change > 0)][:, :2], points[np.flatnonzero(change < 0)][:, :2]], axis=1)

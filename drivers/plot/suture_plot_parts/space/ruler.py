@@ -1,4 +1,4 @@
-"""What a picture without ruled axes has instead: the directions x, y, z, a length, and whence one looks."""
+"""Replaces ticks in a 3D view: the directions x, y, z, a length scale, and the viewing direction."""
 import numpy as np
 from matplotlib.transforms import ScaledTranslation, blended_transform_factory
 
@@ -8,7 +8,7 @@ AXIS = 0.34  # inches, of the arrows along x, y, z
 
 
 def axes_and_scale(figure, axes, view, unit):
-    """All of it below the picture."""
+    """Draws all of them below the plot."""
     inches = inches_of(figure, axes)
     ends = AXIS * view.flat(np.eye(3))
     cross(axes, inches, view, np.array([0.12 - min(ends[:, 0].min(), 0.0), -0.15 - max(ends[:, 1].max(), 0.0)]))
@@ -17,7 +17,7 @@ def axes_and_scale(figure, axes, view, unit):
 
 
 def axes_and_scale_beside(figure, axes, view, unit):
-    """The same for small pictures: the directions to the left of it."""
+    """The same for small plots: the directions to the left of the plot."""
     inches = inches_of(figure, axes)
     ends = AXIS * view.flat(np.eye(3))
     cross(axes, inches, view, np.array([-0.3 - max(ends[:, 0].max(), 0.0), -min(ends[:, 1].min(), 0.0)]))
@@ -31,13 +31,13 @@ def inches_of(figure, axes):
 
 
 def whence(axes, inches, view, x, y, align):
-    """The direction of the eye. `x`: part of the picture's width, `y`: inches."""
+    """Prints the viewing direction. `x`: fraction of the plot's width, `y`: inches."""
     at = blended_transform_factory(axes.transAxes, inches)
     axes.text(x, y, f"seen from {view.words()}", transform=at, ha=align, va="center", color="#59636e", fontsize=8)
 
 
 def cross(axes, inches, view, origin):
-    """Arrows along x, y, z; those along the eye's direction have no length and no name."""
+    """Arrows along x, y, z; an arrow along the viewing direction has no length and no name."""
     taken = []
     for name, end in zip("xyz", AXIS * view.flat(np.eye(3))):
         if np.hypot(*end) < 0.05 * AXIS:
@@ -52,7 +52,7 @@ def cross(axes, inches, view, origin):
 
 
 def scale(axes, inches, unit, part):
-    """A round length, at most a part of the picture's width."""
+    """A round length, at most a given fraction of the plot's width."""
     (x0, x1), middle = axes.get_xlim(), np.mean(axes.get_xlim())
     length, at = round_down(part * (x1 - x0)), blended_transform_factory(axes.transData, inches)
     style = {"transform": at, "color": "black", "clip_on": False}

@@ -1,4 +1,4 @@
-"""scene.png: bodies with the places of loads, supports and contacts."""
+"""scene.png: bodies with the locations of loads, supports and contacts."""
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_rgb
@@ -15,11 +15,11 @@ from .outside import seen_places
 from .page import BELOW
 from .surface import normals
 
-ARROWS = 12  # at most on one group
+ARROWS = 12  # at most per group
 
 
 def scene_figure(scene):
-    """\\return figure, names that found no room"""
+    """\\return figure, names without enough space"""
     run, bodies = scene.run, scene.run.fields.names["Bodies"]
     given, touching = conditions(run), contacts(run)
     total = len(given) + len(touching) + len(bodies)
@@ -50,7 +50,7 @@ def scene_figure(scene):
     legend(page.figure, page.axes, handles, texts, 72 * BELOW)
     placer = page.placer(creases)
     if page.axes.get_legend():
-        page.axes.get_legend().set_in_layout(True)  # the layout is final; the saved picture holds the legend
+        page.axes.get_legend().set_in_layout(True)  # after the layout is fixed, so that the saved image includes the legend
     for segments in marks.drawn:
         placer.keep_visible_lines(segments)
     for label, anchors, colour in named:
@@ -69,7 +69,7 @@ def mixed(colour):
 
 
 def colours_of(body, places):
-    """Pale colours of the bodies' triangles, those of conditions in orange and green."""
+    """Pale colours of the bodies' triangles; triangles of conditions in orange and green."""
     colours = np.array([pale(PALETTE[i % 7]) for i in range(body.max(initial=0) + 1)])[body]
     for triangles, condition in places:
         colours[triangles] = mixed(SUPPORT if condition.support else LOAD)
@@ -77,7 +77,7 @@ def colours_of(body, places):
 
 
 def of_condition(run, surface, condition):
-    """Triangles on which it acts."""
+    """Triangles on which the condition acts."""
     sides = [run.fields.side_groups[group] for group in condition.groups if len(run.fields.side_groups.get(group, []))]
     return surface.of_group(np.concatenate(sides)) if sides else np.zeros(0, dtype=int)
 
@@ -93,15 +93,15 @@ def middle_of(places):
 
 
 class Marks:
-    """Draws conditions and contacts on a page, and remembers arrows and lines, so that labels keep off them."""
+    """Draws conditions and contacts on a page, and records arrows and lines, so that labels avoid them."""
 
     def __init__(self, page, scene):
         self.page, self.scene, self.drawn = page, scene, []
 
     def condition(self, condition, triangles, colour):
-        """Arrows, and the border of its surface. \\return anchors for its name: on what is seen of the surface, else on its border"""
+        """Arrows, and the border of its surface. \\return anchors for its label: on the visible part of the surface, else on its border"""
         surface, mine = self.scene.surface, np.zeros(len(self.scene.surface.triangles) + 1, dtype=bool)
-        mine[triangles] = True  # the last stands for no triangle
+        mine[triangles] = True  # the last entry means no triangle
         on_border = self.outline(self.scene.points, surface.edges[mine[surface.beside[:, 0]] != mine[surface.beside[:, 1]]], colour)
         raster = self.page.seen.raster
         samples = np.flatnonzero(mine[raster.shown])
@@ -114,7 +114,7 @@ class Marks:
         return np.array([places[np.argmin(np.hypot(*(places - place).T))] for place in wanted])
 
     def outline(self, points, edges, colour):
-        """Lines that are dashed where bodies hide them. \\return some places on them, in the picture, the middle first"""
+        """Lines, dashed where bodies hide them. \\return some positions on them in the plot, the middle first"""
         flat = self.page.view.flat(points)[edges]
         self.page.axes.add_collection(LineCollection(flat, colors=colour, linewidths=0.9, linestyles=(0, (3, 2)), alpha=0.7, zorder=5))
         self.drawn.append(self.page.lines(points, edges, colors=colour, linewidths=1.8, zorder=5, gid="named"))
@@ -122,14 +122,14 @@ class Marks:
         return thinned(middles[np.argsort(middles[:, 0], kind="stable")])
 
     def _arrows(self, condition, samples, colour):
-        """Along given forces and displacements; a pressure acts against the outward normal."""
+        """Arrows along given forces and displacements; a pressure acts against the outward normal."""
         direction, raster = condition.direction, self.page.seen.raster
         if condition.type != "Pressure" and (direction is None or len(direction) < 3 or not direction.any()):
             return
         places = raster.places(samples)
         spacing = max(np.sqrt(np.prod(np.ptp(places, axis=0)) / ARROWS), 1e-300)
         chosen = thin_out(places, spacing)
-        whole = np.abs(places[chosen] / spacing % 1.0 - 0.5).max(axis=1) < 0.2  # not at the surface's border
+        whole = np.abs(places[chosen] / spacing % 1.0 - 0.5).max(axis=1) < 0.2  # away from the surface's border
         chosen = chosen[whole] if whole.any() else chosen
         corner = self.scene.points[self.scene.surface.triangles[raster.shown[samples[chosen]]]]
         outward = normals(corner.reshape(-1, 3), np.arange(3 * len(corner)).reshape(-1, 3))
@@ -139,13 +139,13 @@ class Marks:
             way = np.tile(direction / np.linalg.norm(direction), (len(chosen), 1))
         length = 0.07 * np.ptp(self.page.axes.get_xlim())
         step = length * self.page.view.flat(way)
-        # Arrows press with their tip on the surface, or pull with their tail on it.
+        # Arrows that press end on the surface; arrows that pull start on it.
         tails = np.where((np.einsum("ij,ij->i", way, outward) <= 1e-9)[:, None], places[chosen] - step, places[chosen])
         self._draw(tails, tails + step, 0.3 * length, colour, filled=not condition.support)
 
     def _draw(self, tails, tips, head, colour, filled):
         size = np.hypot(*(tips - tails).T)
-        tails, tips, size = (rows[size > 0.5 * head] for rows in (tails, tips, size))  # those along the eye's direction would be points
+        tails, tips, size = (rows[size > 0.5 * head] for rows in (tails, tips, size))  # arrows along the viewing direction would be points
         if not len(tails):
             return
         along, head = (tips - tails) / size[:, None], np.minimum(head, 0.7 * size)[:, None]

@@ -1,4 +1,4 @@
-"""Parallel projection onto the picture."""
+"""Parallel projection onto the plot plane."""
 import argparse
 from dataclasses import dataclass
 
@@ -9,14 +9,14 @@ DEFAULT = (1.0, -1.4, 0.9)
 
 @dataclass(frozen=True)
 class View:
-    """Picture as seen from afar in a direction: unit vectors to the right, upward and toward the eye."""
+    """A parallel view: unit vectors to the right, upward and towards the viewer."""
     right: np.ndarray
     up: np.ndarray
     toward: np.ndarray
-    given: tuple  # the direction toward the eye as it was asked for
+    given: tuple  # the requested direction towards the viewer
 
     def flat(self, points):
-        """Places in the picture, in the points' own length."""
+        """Plot coordinates, in the length unit of the points."""
         return points @ np.column_stack([self.right, self.up])
 
     def nearness(self, points):
@@ -26,13 +26,13 @@ class View:
         return "({})".format(", ".join(f"{value:.3g}".replace("-", "\u2212") for value in self.given))
 
     def axes(self):
-        """Names of the axes along the picture's own, or None if it is not aligned."""
+        """Names of the coordinate axes along those of the plot, or None if it is not aligned."""
         names = [[name for name, along in zip("xyz", vector) if along > 1 - 1e-9] for vector in (self.right, self.up)]
         return (names[0][0], names[1][0]) if all(names) else None
 
 
 def view_from(direction):
-    """The view from there; z points upward, or y where the eye looks along z."""
+    """The view from a direction; z points upward, or y if the view is along z."""
     toward = np.array(direction, dtype=float)
     toward /= np.linalg.norm(toward)
     upward = np.array([0.0, 0.0, 1.0]) if np.hypot(*toward[:2]) > 1e-6 else np.array([0.0, 1.0, 0.0])
@@ -42,13 +42,13 @@ def view_from(direction):
 
 
 def turned_to_eye(normal):
-    """The normal or its opposite, that which points to the eye of the default view: pictures along it have the usual axes."""
+    """The normal or its opposite, whichever points to the viewer of the default view: plots along it have the usual axes."""
     normal = np.asarray(normal, dtype=float)
     return normal if normal @ np.array(DEFAULT) >= 0 else -normal
 
 
 def three_numbers(text):
-    """For the command line: a direction."""
+    """Parses a direction of the command line."""
     try:
         found = tuple(float(part) for part in text.split(","))
     except ValueError:
