@@ -4,7 +4,7 @@
 #include <suture/constraints/ContactPieces.hpp>
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
-#include <suture/constraints/OpenEnds.hpp>
+#include <suture/constraints/UnmodelledRim.hpp>
 #include <suture/mesh/SideGeometry.hpp>
 #include <suture/pairing/ContactPairs.hpp>
 #include <suture/pairing/PairFrame.hpp>

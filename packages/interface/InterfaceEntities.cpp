@@ -78,7 +78,7 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
       else if (!stretches.back().empty())
         stretches.emplace_back();
   }
-  derived->torn_ = withRelations(std::move(plain), stretches, inRows);
+  derived->broken_ = withRelations(std::move(plain), stretches, inRows);
   return derived;
 }
 
@@ -102,7 +102,7 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::without(const std::vector<
     derived->sharers_.own()[place].clear();
   }
   derived->leaveEntities(leaves);
-  if (torn_) derived->torn_ = torn_->without(places);
+  if (broken_) derived->broken_ = broken_->without(places);
   return derived;
 }
 

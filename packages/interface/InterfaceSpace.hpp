@@ -77,9 +77,9 @@ class InterfaceSpace {
   /// The space without the relations of several terms and without those of one term that use an unknown of these: expressed unknowns of a
   /// mortar are free in it, and their sharers are those of their body. Null if this rank sees no such relation: the space would be the
   /// same.
-  const std::shared_ptr<const InterfaceSpace>& torn() const { return torn_; }
-  /// True if a relation is missing in the torn space.
-  bool isTorn(const InterfaceRelation& relation) const { return torn_ && torn_->relationOf_[relation.unknown] < 0; }
+  const std::shared_ptr<const InterfaceSpace>& broken() const { return broken_; }
+  /// True if a relation is missing in the broken space.
+  bool isBroken(const InterfaceRelation& relation) const { return broken_ && broken_->relationOf_[relation.unknown] < 0; }
   /// Ids of the local problems that depend on the unknown, ascending; empty for an expressed one.
   const std::vector<int>& sharers(int place) const { return (*sharers_)[place]; }
   /// Entities that touch local problems of this rank, none empty and no two with a common unknown. Ranks that share several entities list
@@ -140,7 +140,7 @@ class InterfaceSpace {
   CopyOnWrite<std::vector<InterfaceEntity>> entities_;
   std::vector<InterfaceRelation> relations_;
   std::vector<int> relationOf_;
-  std::shared_ptr<const InterfaceSpace> torn_;
+  std::shared_ptr<const InterfaceSpace> broken_;
 };
 
 /// View of a vector's values on this rank as an Eigen matrix. Local.

@@ -82,21 +82,21 @@ void Bddc::doCompute() {
   for (const auto& local : matrix()->locals()) mine += local != nullptr;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
   averaging_.reset();
-  // Not torn for adaptive constraints, which bound the condition number on entities, and a mortar has none; nor for two local problems,
+  // Not broken for adaptive constraints, which bound the condition number on entities, and a mortar has none; nor for two local problems,
   // which are solved exactly with all shared unknowns as vertices.
-  const int isTorn = space()->torn() && !primal_->isAdaptive() && all > 2;
-  int isTornAnywhere = 0;
-  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, isTorn, Teuchos::outArg(isTornAnywhere));
-  if (isTornAnywhere && computeTorn(all, isTorn)) return;
-  torn_ = space();
+  const int isBroken = space()->broken() && !primal_->isAdaptive() && all > 2;
+  int isBrokenAnywhere = 0;
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, isBroken, Teuchos::outArg(isBrokenAnywhere));
+  if (isBrokenAnywhere && computeBroken(all, isBroken)) return;
+  broken_ = space();
   const PrimalChoice choice = choose();
-  factor(primalRows(*torn_, choice, levels_.goesOn(all, space()->dimension())), all);
+  factor(primalRows(*broken_, choice, levels_.goesOn(all, space()->dimension())), all);
   if (primal_->isAdaptive()) countConstraints(choice.rows);
 }
 
 PrimalChoice Bddc::choose() {
-  weighting_->setup(*torn_, matrix()->locals());
-  return primal_->choose(*torn_, matrix()->locals(), *weighting_);
+  weighting_->setup(*broken_, matrix()->locals());
+  return primal_->choose(*broken_, matrix()->locals(), *weighting_);
 }
 
 void Bddc::factor(std::vector<PrimalRows> rows, int locals) {
@@ -104,14 +104,14 @@ void Bddc::factor(std::vector<PrimalRows> rows, int locals) {
   assembleCoarse(std::move(rows), locals);
 }
 
-/// Sets up in the torn space. False if the mortar rows leave a local problem or the bodies as a whole loose; then every unknown named by a
-/// relation of several terms becomes primal.
-bool Bddc::computeTorn(int locals, bool isTornHere) {
+/// Sets up in the broken space. False if the mortar rows leave a local problem or the bodies as a whole loose; then every unknown named by
+/// a relation of several terms becomes primal.
+bool Bddc::computeBroken(int locals, bool isBrokenHere) {
   const LocalProblems& all = matrix()->locals();
-  torn_ = isTornHere ? space()->torn() : space();
+  broken_ = isBrokenHere ? space()->broken() : space();
   const PrimalChoice choice = choose();
-  const MortarRows mortar(*space(), *torn_, choice);
-  std::vector<PrimalRows> rows = primalRows(*torn_, choice, levels_.goesOn(locals, space()->dimension()), &mortar);
+  const MortarRows mortar(*space(), *broken_, choice);
+  std::vector<PrimalRows> rows = primalRows(*broken_, choice, levels_.goesOn(locals, space()->dimension()), &mortar);
   int mine = 0, any = 0;
   collectively(*space()->comm(), "looking for local problems not held by mortar constraints", [&] {
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -128,18 +128,19 @@ bool Bddc::computeTorn(int locals, bool isTornHere) {
     return false;
   }
   if (!coarseIsRegular()) return false;
-  averaging_ = std::make_unique<MortarAveraging>(*space(), *torn_, all);
+  averaging_ = std::make_unique<MortarAveraging>(*space(), *broken_, all);
   return true;
 }
 
 /// An entity is counted on the rank of its first local problem, an unknown on its owner.
 void Bddc::countConstraints(const std::vector<Matrix>& rows) {
   std::map<int, int> here;
-  for (int i = 0; i < torn_->locals(); ++i) here[torn_->localId(i)] = i;
+  for (int i = 0; i < broken_->locals(); ++i) here[broken_->localId(i)] = i;
   GlobalId mine[2] = {0, 0}, all[2];
   for (std::size_t e = 0; e < rows.size(); ++e)
-    if (here.count(torn_->entities()[e].sharers[0])) mine[0] += rows[e].rows();
-  for (int place = 0; place < torn_->overlapSize(); ++place) mine[1] += torn_->sharers(place).size() > 1 && torn_->ownedRow(place) >= 0;
+    if (here.count(broken_->entities()[e].sharers[0])) mine[0] += rows[e].rows();
+  for (int place = 0; place < broken_->overlapSize(); ++place)
+    mine[1] += broken_->sharers(place).size() > 1 && broken_->ownedRow(place) >= 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
   entityConstraints_ = all[0];
   sharedUnknowns_ = all[1];
@@ -228,9 +229,9 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
   };  // aligns each flux to Eigen's packets, so that sums do not depend on the others
   int rows = 0;
   for (std::size_t i = 0; i < locals_.size(); ++i)
-    if (locals_[i]) rows += room(torn_->coupling(static_cast<int>(i)).rows());
+    if (locals_[i]) rows += room(broken_->coupling(static_cast<int>(i)).rows());
   work.flux.resize(rows, 1);
-  work.trace.resize(torn_->mostRows(), 1);
+  work.trace.resize(broken_->mostRows(), 1);
   work.own.resize(locals_.size());
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto zOne = z.getVectorNonConst(column);
@@ -238,15 +239,15 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       if (work.averaged.is_null()) work.averaged = space()->vector();
       work.averaged->assign(*r.getVector(column));
       averaging_->applyTranspose(*work.averaged);
-      torn_->gather(*work.averaged, work.overlap);
+      broken_->gather(*work.averaged, work.overlap);
     } else {
-      torn_->gather(*r.getVector(column), work.overlap);
+      broken_->gather(*r.getVector(column), work.overlap);
     }
     work.primal.setZero(static_cast<int>(names_.size()));
     int begin = 0;
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
-      const Coupling& coupling = torn_->coupling(static_cast<int>(i));
+      const Coupling& coupling = broken_->coupling(static_cast<int>(i));
       auto flux = work.flux.middleRows(begin, coupling.rows());
       begin += room(coupling.rows());
       coupling.restrictTo(work.overlap, flux);
@@ -259,7 +260,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
     begin = 0;
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
-      const Coupling& coupling = torn_->coupling(static_cast<int>(i));
+      const Coupling& coupling = broken_->coupling(static_cast<int>(i));
       auto trace = work.trace.topRows(coupling.rows());
       work.values.setZero(work.own[i].size());
       for (const Value& value : valuesOf(i)) work.values(value.row) += value.coefficient * y(value.place);
@@ -268,7 +269,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       weighting_->apply(static_cast<int>(i), trace);
       coupling.addTransposed(trace, work.overlap);
     }
-    torn_->scatterAdd(work.overlap, *zOne);
+    broken_->scatterAdd(work.overlap, *zOne);
     if (averaging_) averaging_->apply(*zOne);
   }
 }

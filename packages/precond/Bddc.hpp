@@ -38,7 +38,7 @@ class Bddc : public Preconditioner {
 
  private:
   PrimalChoice choose();
-  bool computeTorn(int locals, bool isTornHere);
+  bool computeBroken(int locals, bool isBrokenHere);
   bool coarseIsRegular() const;
   void factor(std::vector<PrimalRows> rows, int locals);
   std::unique_ptr<LocalInverse> inverseOf(const LocalProblem& local, const Matrix& rows) const;
@@ -52,9 +52,9 @@ class Bddc : public Preconditioner {
   std::unique_ptr<PrimalConstraints> primal_;
   CoarseOptions levels_;
   Inverses kind_;
-  std::shared_ptr<const InterfaceSpace> torn_;  // space in which local problems share unknowns: the given one, or its torn one
-  std::unique_ptr<MortarAveraging> averaging_;  // null if the space is not torn
-  LocalProblems locals_;                        // local problems of the inverses
+  std::shared_ptr<const InterfaceSpace> broken_;  // space in which local problems share unknowns: the given one, or its broken one
+  std::unique_ptr<MortarAveraging> averaging_;    // null if the space is not broken
+  LocalProblems locals_;                          // local problems of the inverses
   // An inverse and its constraints.
   struct Constrained {
     std::shared_ptr<const PrimalRows::Rows> rows;

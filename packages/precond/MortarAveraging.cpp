@@ -34,11 +34,11 @@ constexpr std::size_t kFew = 6000, kAtOnce = 64;
 constexpr double kSmall = 1e-4;
 
 /// Diagonal of the stiffness, summed within the bodies, for each unknown of the overlap.
-Vector stiffnessOf(const InterfaceSpace& torn, const LocalProblems& locals) {
-  Matrix sum = Matrix::Zero(torn.overlapSize(), 1);
-  for (int i = 0; i < torn.locals(); ++i)
-    if (locals[i]) torn.coupling(i).addTransposed(locals[i]->stiffnessDiagonal(), sum);
-  torn.sumDensities(sum);
+Vector stiffnessOf(const InterfaceSpace& broken, const LocalProblems& locals) {
+  Matrix sum = Matrix::Zero(broken.overlapSize(), 1);
+  for (int i = 0; i < broken.locals(); ++i)
+    if (locals[i]) broken.coupling(i).addTransposed(locals[i]->stiffnessDiagonal(), sum);
+  broken.sumDensities(sum);
   return sum.col(0);
 }
 
@@ -63,16 +63,16 @@ Teuchos::RCP<Crs> matrixOf(const MapPtr& map, const std::vector<MatrixRow>& rows
 using ByRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
 /// Owned rows of Delta_m + M^T Delta_s M: the owner of an unknown has all rows of M that name it. \param m  rows x places of the overlap
-std::vector<MatrixRow> normalRows(const InterfaceSpace& torn, const ByRows& m, const Vector& weights, const Vector& stiffness) {
+std::vector<MatrixRow> normalRows(const InterfaceSpace& broken, const ByRows& m, const Vector& weights, const Vector& stiffness) {
   const ByRows weighted = weights.asDiagonal() * m, turned = m.transpose(), product = turned * weighted;
   std::vector<MatrixRow> rows;
   for (int place = 0; place < product.rows(); ++place) {
-    if (torn.ownedRow(place) < 0 || product.outerIndexPtr()[place + 1] == product.outerIndexPtr()[place]) continue;
-    rows.push_back({torn.ownedRow(place), {}, {}});
+    if (broken.ownedRow(place) < 0 || product.outerIndexPtr()[place + 1] == product.outerIndexPtr()[place]) continue;
+    rows.push_back({broken.ownedRow(place), {}, {}});
     rows.back().columns.reserve(std::size_t(product.outerIndexPtr()[place + 1] - product.outerIndexPtr()[place]));
     rows.back().values.reserve(rows.back().columns.capacity());
     for (ByRows::InnerIterator entry(product, place); entry; ++entry) {
-      rows.back().columns.push_back(torn.id(static_cast<int>(entry.col())));
+      rows.back().columns.push_back(broken.id(static_cast<int>(entry.col())));
       rows.back().values.push_back(entry.value() + (entry.col() == place ? stiffness(place) : 0.0));
     }
   }
@@ -177,16 +177,16 @@ Whole wholeOf(const std::vector<MatrixRow>& rows, const Map& map, const Comm& co
 
 }  // namespace
 
-MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& torn, const LocalProblems& locals) {
-  const Vector stiffness = stiffnessOf(torn, locals);
+MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& broken, const LocalProblems& locals) {
+  const Vector stiffness = stiffnessOf(broken, locals);
   std::vector<const InterfaceRelation*> mine;   // rows whose expressed unknown this rank owns
   std::vector<Eigen::Triplet<double>> entries;  // entries of M
   std::vector<double> weights;                  // Delta_s
   double least = 1e300, most = 0.0;
   for (const InterfaceRelation& relation : space.relations()) {
-    if (!space.isTorn(relation)) continue;
+    if (!space.isBroken(relation)) continue;
     const double own = stiffness(relation.unknown);
-    if (torn.ownedRow(relation.unknown) >= 0) mine.push_back(&relation);
+    if (broken.ownedRow(relation.unknown) >= 0) mine.push_back(&relation);
     for (std::size_t k = 0; k < relation.others.size(); ++k) {
       const double ratio = stiffness(relation.others[k]) / std::max(own, 1e-300);
       least = std::min(least, ratio), most = std::max(most, ratio);
@@ -194,39 +194,39 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
     }
     weights.push_back(own);
   }
-  ByRows m(static_cast<int>(weights.size()), torn.overlapSize());
+  ByRows m(static_cast<int>(weights.size()), broken.overlapSize());
   m.setFromTriplets(entries.begin(), entries.end());
   const double mineJump = std::max(most, 1.0 / std::max(least, 1e-300));
   double jump = 0.0;
-  Teuchos::reduceAll(*torn.comm(), Teuchos::REDUCE_MAX, mineJump, Teuchos::outArg(jump));
+  Teuchos::reduceAll(*broken.comm(), Teuchos::REDUCE_MAX, mineJump, Teuchos::outArg(jump));
   const int layers = jump > kJump ? kManyLayers : kFewLayers;
   const std::size_t unbounded = std::numeric_limits<std::size_t>::max(), large = space.dimension() == 3 ? kLargeInSpace : unbounded,
                     largest = space.dimension() == 3 ? kLargestInSpace : unbounded;
 
   std::vector<MatrixRow> jumps;
   for (const InterfaceRelation* relation : mine) {
-    expressed_.push_back(torn.ownedRow(relation->unknown));
-    MatrixRow row{expressed_.back(), {torn.id(relation->unknown)}, {1.0}};
+    expressed_.push_back(broken.ownedRow(relation->unknown));
+    MatrixRow row{expressed_.back(), {broken.id(relation->unknown)}, {1.0}};
     for (std::size_t k = 0; k < relation->others.size(); ++k) {
-      row.columns.push_back(torn.id(relation->others[k]));
+      row.columns.push_back(broken.id(relation->others[k]));
       row.values.push_back(-relation->coefficients[k]);
     }
     jumps.push_back(std::move(row));
   }
-  jump_ = matrixOf(torn.map(), jumps);
-  const std::vector<MatrixRow> normalOfMine = normalRows(torn, m, Eigen::Map<const Vector>(weights.data(), m.rows()), stiffness);
+  jump_ = matrixOf(broken.map(), jumps);
+  const std::vector<MatrixRow> normalOfMine = normalRows(broken, m, Eigen::Map<const Vector>(weights.data(), m.rows()), stiffness);
   std::vector<MatrixRow> parts;
   // Rows of a surface name many nodes: their patches would be nearly the whole matrix.
-  if (const Whole whole = space.dimension() == 3 ? wholeOf(normalOfMine, *torn.map(), *torn.comm()) : Whole(); !whole.ids.empty()) {
+  if (const Whole whole = space.dimension() == 3 ? wholeOf(normalOfMine, *broken.map(), *broken.comm()) : Whole(); !whole.ids.empty()) {
     const std::vector<GlobalId>& few = whole.ids;
-    collectively(*torn.comm(), "sharing the jumps of a mortar", [&] {
+    collectively(*broken.comm(), "sharing the jumps of a mortar", [&] {
       const CholmodFactor factor(whole.lower);
       for (std::size_t first = 0; first < mine.size(); first += kAtOnce) {
         const std::size_t count = std::min(kAtOnce, mine.size() - first);
         Matrix part = Matrix::Zero(static_cast<int>(few.size()), static_cast<int>(count));
         for (std::size_t r = 0; r < count; ++r)
           for (std::size_t k = 0; k < mine[first + r]->others.size(); ++k)
-            part(whole.number(torn.id(mine[first + r]->others[k])), static_cast<int>(r)) =
+            part(whole.number(broken.id(mine[first + r]->others[k])), static_cast<int>(r)) =
                 mine[first + r]->coefficients[k] * stiffness(mine[first + r]->unknown);
         factor.solve(part);
         for (std::size_t r = 0; r < count; ++r) {
@@ -244,15 +244,15 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
         }
       }
     });
-    parts_ = matrixOf(torn.map(), parts);
+    parts_ = matrixOf(broken.map(), parts);
     return;
   }
 
-  const Teuchos::RCP<const Crs> normal = matrixOf(torn.map(), normalOfMine);
+  const Teuchos::RCP<const Crs> normal = matrixOf(broken.map(), normalOfMine);
   // Each layer adds the neighbours of the patch.
   std::vector<std::vector<GlobalId>> patches(mine.size());
   for (std::size_t r = 0; r < mine.size(); ++r) {
-    for (const int place : mine[r]->others) patches[r].push_back(torn.id(place));
+    for (const int place : mine[r]->others) patches[r].push_back(broken.id(place));
     std::sort(patches[r].begin(), patches[r].end());
   }
   Rows rows;
@@ -261,7 +261,7 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
     for (const auto& patch : patches) wanted.insert(wanted.end(), patch.begin(), patch.end());
     std::sort(wanted.begin(), wanted.end());
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-    rows = rowsOf(*normal, wanted, torn.comm());
+    rows = rowsOf(*normal, wanted, broken.comm());
     if (layer == layers) break;
     for (auto& patch : patches) {
       if (patch.size() > large) continue;
@@ -269,7 +269,7 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
       if (more.size() <= largest) patch = std::move(more);
     }
   }
-  collectively(*torn.comm(), "sharing the jumps of a mortar", [&] {
+  collectively(*broken.comm(), "sharing the jumps of a mortar", [&] {
     std::vector<int> placeOf(rows.ids.size(), -1);
     for (std::size_t r = 0; r < mine.size(); ++r) {
       const std::vector<GlobalId>& ids = patches[r];
@@ -277,12 +277,12 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
       const auto at = [&](GlobalId id) { return static_cast<int>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()); };
       Matrix part = Matrix::Zero(n, 1);
       for (std::size_t k = 0; k < mine[r]->others.size(); ++k)
-        part(at(torn.id(mine[r]->others[k])), 0) = mine[r]->coefficients[k] * stiffness(mine[r]->unknown);
+        part(at(broken.id(mine[r]->others[k])), 0) = mine[r]->coefficients[k] * stiffness(mine[r]->unknown);
       const Matrix solved = solvePositive(patchOf(ids, rows, placeOf), part);
       parts.push_back({expressed_[r], ids, {solved.data(), solved.data() + n}});
     }
   });
-  parts_ = matrixOf(torn.map(), parts);
+  parts_ = matrixOf(broken.map(), parts);
 }
 
 void MortarAveraging::makeWork(std::size_t columns) const {

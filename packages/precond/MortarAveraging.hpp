@@ -3,7 +3,7 @@
 
 namespace suture {
 
-/// Averaging in BDDC across closed rows of several terms (a mortar). In the torn space, local problems share unknowns only with others of
+/// Averaging in BDDC across closed rows of several terms (a mortar). In the broken space, local problems share unknowns only with others of
 /// the same body, and X = T w means X_s = M X_m, with s the expressed unknowns of the rows and m the unknowns that express them. Values
 /// averaged within the bodies leave a jump X_s - M X_m, which is distributed to both sides:
 ///
@@ -15,12 +15,12 @@ namespace suture {
 /// unless there are thousands of unknowns.
 class MortarAveraging {
  public:
-  /// \param torn  the torn space, or the space itself on ranks without one; \param locals in the order of its couplings. Collective.
-  MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& torn, const LocalProblems& locals);
+  /// \param broken  the broken space, or the space itself on ranks without one; \param locals in the order of its couplings. Collective.
+  MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& broken, const LocalProblems& locals);
 
   /// values <- B values. In: sums within the bodies; out: a trace of the space, zero at its expressed unknowns. Collective.
   void apply(MultiVector& values) const;
-  /// values <- B^T values. In: a flux of the space; out: a flux of the torn space. Collective.
+  /// values <- B^T values. In: a flux of the space; out: a flux of the broken space. Collective.
   void applyTranspose(MultiVector& values) const;
 
  private:

@@ -26,10 +26,11 @@ int largest(const Comm& comm, int mine) {
 
 }  // namespace
 
-/// Works in the torn space.
+/// Works in the broken space.
 class MortarRows::Maker {
  public:
-  Maker(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice, MortarRows& made) : space_(torn), made_(made) {
+  Maker(const InterfaceSpace& space, const InterfaceSpace& broken, const PrimalChoice& choice, MortarRows& made)
+      : space_(broken), made_(made) {
     // A rank knows only the entities of its local problems: owners send their flags to the others.
     Matrix alone = Matrix::Zero(space_.overlapSize(), 1);
     for (int place = 0; place < space_.overlapSize(); ++place) alone(place, 0) = space_.ownedRow(place) >= 0 && choice.alone[place];
@@ -37,7 +38,7 @@ class MortarRows::Maker {
     for (int place = 0; place < space_.overlapSize(); ++place) alone_.push_back(alone(place, 0) > 0.0);
     for (int i = 0; i < space_.locals(); ++i) localOf_[space_.localId(i)] = i;
     for (const InterfaceRelation& relation : space.relations())
-      if (space.isTorn(relation)) relations_[space_.id(relation.unknown)] = &relation;
+      if (space.isBroken(relation)) relations_[space_.id(relation.unknown)] = &relation;
   }
 
   void make() {
@@ -304,15 +305,15 @@ class MortarRows::Maker {
   std::vector<char> counts_;                                // true for places of rows that are constraints by themselves
   std::vector<char> alone_;                                 // true for places that are primal alone
   std::map<int, int> localOf_;                              // id -> index among the local problems of this rank
-  std::map<GlobalId, const InterfaceRelation*> relations_;  // torn relations, by the unknown that they express
+  std::map<GlobalId, const InterfaceRelation*> relations_;  // broken relations, by the unknown that they express
   std::vector<Functional> functionals_;
   std::vector<Side> sides_;
   std::map<int, std::vector<std::map<int, double>>> basisOf_;  // id of j -> orthonormal functionals
   int most_ = 0;                                               // private unknowns of a local problem
 };
 
-MortarRows::MortarRows(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice) {
-  Maker(space, torn, choice, *this).make();
+MortarRows::MortarRows(const InterfaceSpace& space, const InterfaceSpace& broken, const PrimalChoice& choice) {
+  Maker(space, broken, choice, *this).make();
 }
 
 }  // namespace suture

@@ -19,8 +19,8 @@ namespace suture {
 /// resulting functionals are private primal unknowns, known only to j and the rows on i. Rows that straddle two j are omitted.
 class MortarRows {
  public:
-  /// \param torn  the torn space, or the space itself on ranks without one; \param choice the choice in `torn`. Collective.
-  MortarRows(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice);
+  /// \param broken  the broken space, or the space itself on ranks without one; \param choice the choice in `broken`. Collective.
+  MortarRows(const InterfaceSpace& space, const InterfaceSpace& broken, const PrimalChoice& choice);
 
   struct Row {
     std::vector<std::pair<int, double>> entries;  ///< position in the trace, coefficient

@@ -2,7 +2,7 @@
 #include <suture/precond/AdaptiveConstraints.hpp>
 #include <suture/precond/EntitySides.hpp>
 #include <suture/precond/Mechanisms.hpp>
-#include <suture/precond/StiffTraces.hpp>
+#include <suture/precond/VolumetricPrimalModes.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -102,7 +102,7 @@ PrimalChoice MomentConstraints::doChoose(const InterfaceSpace& space, const Loca
 
 namespace {
 std::unique_ptr<PrimalConstraints> withMoments(MomentConstraints::First first) {
-  return std::make_unique<StiffTraces>(std::make_unique<MomentConstraints>(first));
+  return std::make_unique<VolumetricPrimalModes>(std::make_unique<MomentConstraints>(first));
 }
 }  // namespace
 

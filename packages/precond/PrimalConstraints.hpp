@@ -67,7 +67,8 @@ class MomentConstraints : public PrimalConstraints {
   First first_;
 };
 
-/// The default: rigid motions of seams, averages of edges in 3D, and the stiff traces of nearly incompressible subdomains (StiffTraces).
+/// The default: rigid motions of seams, averages of edges in 3D, and the stiff traces of nearly incompressible subdomains
+/// (VolumetricPrimalModes).
 std::unique_ptr<PrimalConstraints> automaticConstraints();
 
 }  // namespace suture

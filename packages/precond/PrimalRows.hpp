@@ -27,7 +27,7 @@ class MortarRows;
 
 /// Primal constraints of each local problem of this rank. Local.
 /// \param withUnknowns  also fill `unknowns`, for a further level
-/// \param mortar        constraints across the mortars of a torn space; null: none
+/// \param mortar        constraints across the mortars of a broken space; null: none
 std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoice& choice, bool withUnknowns,
                                    const MortarRows* mortar = nullptr);
 

@@ -1,6 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/scene/SceneReader.hpp>
-#include <suture/partition/RigidLift.hpp>
+#include <suture/partition/RigidMotionLifting.hpp>
 #include <suture/quality/ErrorNorms.hpp>
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/quality/PressureField.hpp>

@@ -1,6 +1,6 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/partition/RigidLift.hpp>
+#include <suture/partition/RigidMotionLifting.hpp>
 #include <suture/quality/VerifyPlaces.hpp>
 
 #include <Teuchos_CommHelpers.hpp>

@@ -10,10 +10,10 @@ namespace suture {
 namespace {
 
 /// Tells of each solve.
-class ToldProblem : public DelassusProblem {
+class MonitoredProblem : public DelassusProblem {
  public:
-  ToldProblem(const RigidContact& rigid, const Delassus& delassus, const CondensedContact& problem,
-              const std::function<void(const ActiveSetStep&)>& tell)
+  MonitoredProblem(const RigidContact& rigid, const Delassus& delassus, const CondensedContact& problem,
+                   const std::function<void(const ActiveSetStep&)>& tell)
       : DelassusProblem(rigid, delassus.compliance(), delassus.open(), delassus.rounding()),
         rigid_(rigid),
         delassus_(delassus),
@@ -54,7 +54,7 @@ ContactSolution solveCondensedContact(const CondensedContact& problem, std::vect
                                       const std::function<void(const ActiveSetStep&)>& step) {
   const Delassus delassus(problem);
   RigidContact rigid = delassus.rigidContact();
-  ToldProblem oracle(rigid, delassus, problem, step);
+  MonitoredProblem oracle(rigid, delassus, problem, step);
   ClosedSet start = active;
   for (std::size_t i = 0; i < start.size(); ++i) start[i] = start[i] && rigid.data().able[i];
   if (active.empty() || rigid.loosens(start)) start = rigid.start();

@@ -8,7 +8,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
-#include <suture/partition/RigidLift.hpp>
+#include <suture/partition/RigidMotionLifting.hpp>
 #include <suture/quality/LargestStrain.hpp>
 #include <suture/quality/PressureOscillation.hpp>
 #include <suture/report/Figures.hpp>

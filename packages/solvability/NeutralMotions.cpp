@@ -3,7 +3,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
-#include <suture/partition/RigidLift.hpp>
+#include <suture/partition/RigidMotionLifting.hpp>
 #include <suture/solvability/NeutralMotions.hpp>
 #include <suture/solvability/PairClasses.hpp>
 

@@ -46,7 +46,8 @@ struct Incompressible {
   const char* constraints;
 };
 
-// nu = .4999, H/h = 4 (in nodes), N = 8 and 27. Without the rows of StiffTraces averages take 174 iterations in displacement elements.
+// nu = .4999, H/h = 4 (in nodes), N = 8 and 27. Without the rows of VolumetricPrimalModes averages take 174 iterations in displacement
+// elements.
 //                  Averages             Automatic            Rigid Modes
 //     HEX8         17 / 4.1, 14 / 3.5   16 / 4.1, 14 / 3.5   16 / 4.2, 13 / 3.0
 //     TET10        13 / 2.9, 14 / 2.8   12 / 2.5, 13 / 2.6   12 / 2.5, 13 / 2.5

@@ -3,7 +3,7 @@
 #include <suture/base/Gather.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/interface/Formulation.hpp>
-#include <suture/partition/RigidLift.hpp>
+#include <suture/partition/RigidMotionLifting.hpp>
 #include <suture/quality/Verify.hpp>
 #include <suture/solver/Method.hpp>
 #include <suture/solver/SolverSchema.hpp>

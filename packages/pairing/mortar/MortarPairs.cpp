@@ -85,7 +85,7 @@ class Mortar {
     std::map<int, double> own, others;
     double gap = 0, doubt = 0, weight = 0;
     bool tookOver = false;  // has received psi of other nodes
-    void takeOver(const Row& row) {
+    void adopt(const Row& row) {
       tookOver = true;
       for (const auto& [node, value] : row.own) own[node] += value;
       for (const auto& [node, value] : row.others) others[node] += value;
@@ -205,7 +205,7 @@ class Mortar {
     for (const auto& [node, heir] : heirs) {
       const auto row = rows_.find(node);
       if (row == rows_.end()) continue;
-      rows_[heir].takeOver(row->second);
+      rows_[heir].adopt(row->second);
       rows_.erase(node);
     }
   }

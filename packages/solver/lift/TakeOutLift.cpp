@@ -1,5 +1,5 @@
 #include <suture/elasticity/loads/NodalLoads.hpp>
-#include <suture/partition/RigidLift.hpp>
+#include <suture/partition/RigidMotionLifting.hpp>
 #include <suture/solver/lift/CarriedBodies.hpp>
 #include <suture/solver/lift/TakeOutLift.hpp>
 
@@ -14,7 +14,7 @@ double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<Subd
   if (!takeOutRigidMotions(comm, meshes, carry)) return 0.0;
   int has = !constraints.rules.empty();
   Teuchos::broadcast(comm, 0, 1, &has);
-  if (has) takeOver(comm, meshes, constraints);
+  if (has) adopt(comm, meshes, constraints);
   double work = 0.0, all = 0.0;
   for (const SubdomainMesh& mesh : meshes) work += subdomainLoads(mesh, model).dot(mesh.lift.motion);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, work, Teuchos::outArg(all));

@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(CorpusJudge, SeesPlantedErrors) {
 
     planted = solved.outcome;
     planted.seam = 1e-5;
-    seen("a torn seam", planted);
+    seen("a broken seam", planted);
   }
 }
 

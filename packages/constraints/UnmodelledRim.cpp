@@ -1,6 +1,6 @@
 #include <suture/base/Point.hpp>
 #include <suture/constraints/Conditions.hpp>
-#include <suture/constraints/OpenEnds.hpp>
+#include <suture/constraints/UnmodelledRim.hpp>
 #include <suture/mesh/SideGeometry.hpp>
 
 #include <algorithm>

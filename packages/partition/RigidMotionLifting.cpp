@@ -3,7 +3,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/partition/BodyParts.hpp>
-#include <suture/partition/RigidLift.hpp>
+#include <suture/partition/RigidMotionLifting.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -299,7 +299,7 @@ void moveFurther(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std
   Lifting(comm, meshes, {}).further(motion);
 }
 
-void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constraints& constraints) {
+void adopt(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constraints& constraints) {
   struct Value {
     GlobalId node;
     Point value;

@@ -29,7 +29,7 @@ std::vector<double> openEnds(const Mesh& mesh, const std::string& contacts, cons
 
 const std::vector<double> none, middle{2.0};
 
-TEUCHOS_UNIT_TEST(OpenEnds, AreWhereBothBoundariesGoOn) {
+TEUCHOS_UNIT_TEST(UnmodelledRim, AreWhereBothBoundariesGoOn) {
   for (const Cell cell : {Cell::Triangle3, Cell::Quadrilateral9}) {
     const Mesh mesh = blocks(cell);
     for (const std::string coupling : {"Matching Nodes", "Mortar"}) {
@@ -43,21 +43,21 @@ TEUCHOS_UNIT_TEST(OpenEnds, AreWhereBothBoundariesGoOn) {
   }
 }
 
-TEUCHOS_UNIT_TEST(OpenEnds, AreNoneWhereAContactOrAConditionGoesOn) {
+TEUCHOS_UNIT_TEST(UnmodelledRim, AreNoneWhereAContactOrAConditionGoesOn) {
   const Mesh mesh = blocks();
   const std::string left = contact("left", "b1_bottom_left", "b0_top_left");
   TEST_ASSERT(openEnds(mesh, left + contact("right", "b1_bottom_right", "b0_top_right")) == none);
   TEST_ASSERT(openEnds(mesh, left, bilateral("beside", "b1_bottom_right")) == none);
 }
 
-TEUCHOS_UNIT_TEST(OpenEnds, AreNoneAtACorner) {
+TEUCHOS_UNIT_TEST(UnmodelledRim, AreNoneAtACorner) {
   Mesh mesh = blocks();
   // The upper block turns up by 60 degrees at x = 2.
   move(mesh, 1, [](Point p) { return p[0] <= 2 ? p : Point{2 + 0.5 * (p[0] - 2), p[1] + 0.866 * (p[0] - 2), 0}; });
   TEST_ASSERT(openEnds(mesh, contact("left", "b1_bottom_left", "b0_top_left")) == none);
 }
 
-TEUCHOS_UNIT_TEST(OpenEnds, OfOneBodyBeforeAnObstacle) {
+TEUCHOS_UNIT_TEST(UnmodelledRim, OfOneBodyBeforeAnObstacle) {
   const Mesh mesh = blocks();
   const Contact floor = Contact::with(Obstacle::line({0, 1, 0}, {0, 1, 0}), "b1_bottom_left");
   Condition held;

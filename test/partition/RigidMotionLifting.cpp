@@ -2,7 +2,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Gather.hpp>
-#include <suture/partition/RigidLift.hpp>
+#include <suture/partition/RigidMotionLifting.hpp>
 
 #include <cmath>
 #include <support/Blocks.hpp>
@@ -34,7 +34,7 @@ struct Taken {
   bool any;
   explicit Taken(const Scene& given)
       : scene(given), all(given, world()), left(given.constraints), any(takeOutRigidMotions(*world(), all.meshes)) {
-    if (any) takeOver(*world(), all.meshes, left);
+    if (any) adopt(*world(), all.meshes, left);
   }
   /// Component k of the motion at a node of the mesh; zero where no rank has it.
   double motion(int node, int k) const {
@@ -48,14 +48,14 @@ struct Taken {
   }
 };
 
-TEUCHOS_UNIT_TEST(RigidLift, LeavesZerosAlone) {
+TEUCHOS_UNIT_TEST(RigidMotionLifting, LeavesZerosAlone) {
   const Taken taken(carried(nowhere, nowhere));
   TEST_ASSERT(!taken.any);
   for (const SubdomainMesh& mesh : taken.all.meshes) TEST_EQUALITY(mesh.lift.motion.size(), 0);
 }
 
 /// Half of the height: no rigid motion describes a body that is squeezed between its ends.
-TEUCHOS_UNIT_TEST(RigidLift, LeavesAStretchAlone) {
+TEUCHOS_UNIT_TEST(RigidMotionLifting, LeavesAStretchAlone) {
   Scene scene = carried(nowhere, nowhere);
   for (const int node : scene.nodesOf("upper_top")) scene.holdNode(node, 1, -0.1);
   for (const int node : scene.nodesOf("upper_bottom")) scene.holdNode(node, 1, 0.1);
@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(RigidLift, LeavesAStretchAlone) {
 }
 
 /// Numbers that have no short binary form: what remains of them is the same at all nodes, to the last bit, and nearly nothing.
-TEUCHOS_UNIT_TEST(RigidLift, LeavesEqualRemaindersOfATranslation) {
+TEUCHOS_UNIT_TEST(RigidMotionLifting, LeavesEqualRemaindersOfATranslation) {
   for (const Point& value : {Point{1e6 / 3, -0.1, 0}, Point{0.3, 0.1, 0}, Point{-1e-7, 1e13 / 7, 0}}) {
     const auto shift = [&](const Point&) { return value; };
     const Taken taken(carried(shift, shift));
@@ -84,7 +84,7 @@ TEUCHOS_UNIT_TEST(RigidLift, LeavesEqualRemaindersOfATranslation) {
   }
 }
 
-TEUCHOS_UNIT_TEST(RigidLift, MotionAndRemainderMakeUpWhatWasPrescribed) {
+TEUCHOS_UNIT_TEST(RigidMotionLifting, MotionAndRemainderMakeUpWhatWasPrescribed) {
   for (const double turn : {0.0, 1e-3, 2e6}) {
     const auto carry = [&](const Point& x) { return Point{5.0 - turn * x[1], 0.7 + turn * x[0] + 1e-4 * x[0] * x[0], 0}; };
     Scene scene = carried(nowhere, carry);
@@ -102,7 +102,7 @@ TEUCHOS_UNIT_TEST(RigidLift, MotionAndRemainderMakeUpWhatWasPrescribed) {
 }
 
 /// gap - n.T_A + n.T_B, in closed form; a row's gap is that of the same scene put together anew.
-TEUCHOS_UNIT_TEST(RigidLift, GapsChangeByTheMotionOfBothSides) {
+TEUCHOS_UNIT_TEST(RigidMotionLifting, GapsChangeByTheMotionOfBothSides) {
   const auto lower = [](const Point&) { return Point{0.25, 0.5, 0}; };
   const auto upper = [](const Point&) { return Point{-1.0, 1024.5, 0}; };
   Scene scene = carried(lower, upper);
@@ -124,7 +124,7 @@ TEUCHOS_UNIT_TEST(RigidLift, GapsChangeByTheMotionOfBothSides) {
 }
 
 /// Weights of a mortar sum to zero but for rounding, which 1e12 body sizes would make a gap of 1e-4.
-TEUCHOS_UNIT_TEST(RigidLift, MortarGapsKeepTheirDigits) {
+TEUCHOS_UNIT_TEST(RigidMotionLifting, MortarGapsKeepTheirDigits) {
   const auto shift = [](const Point&) { return Point{0, 1e12, 0}; };
   Scene scene = carried(shift, shift);
   for (ContactPair& pair : scene.constraints.pairs) {
@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(RigidLift, MortarGapsKeepTheirDigits) {
 }
 
 /// A part that nothing holds is moved twice, by a turn, too: its gaps, its lift and what gaps were at first; the other part stays.
-TEUCHOS_UNIT_TEST(RigidLift, FurtherMotionsAddUp) {
+TEUCHOS_UNIT_TEST(RigidMotionLifting, FurtherMotionsAddUp) {
   Scene scene = carried(nowhere, nowhere);
   scene.constraints.rules.resize(scene.nodesOf("lower_bottom").size());
   Blocks all(scene, world());
@@ -174,7 +174,7 @@ TEUCHOS_UNIT_TEST(RigidLift, FurtherMotionsAddUp) {
   }
 }
 
-TEUCHOS_UNIT_TEST(RigidLift, IsTakenOutOnce) {
+TEUCHOS_UNIT_TEST(RigidMotionLifting, IsTakenOutOnce) {
   const auto shift = [](const Point&) { return Point{3, 4, 0}; };
   Taken taken(carried(shift, shift));
   bool ruled = false;

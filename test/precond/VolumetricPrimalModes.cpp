@@ -4,7 +4,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/precond/EntitySides.hpp>
-#include <suture/precond/StiffTraces.hpp>
+#include <suture/precond/VolumetricPrimalModes.hpp>
 
 namespace suture {
 namespace {
@@ -52,7 +52,7 @@ int middle(const Interface& one) {
   return -1;
 }
 
-TEUCHOS_UNIT_TEST(StiffTraces, AreTheWorkOfPressuresThatDoNoneInside) {
+TEUCHOS_UNIT_TEST(VolumetricPrimalModes, AreTheWorkOfPressuresThatDoNoneInside) {
   for (const double poisson : {0.4999, 0.499999}) {
     const double lambda = 2 * poisson / (1 - 2 * poisson);
     const Interface one(square(Cell::Quadrilateral4, poisson), world());
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(StiffTraces, AreTheWorkOfPressuresThatDoNoneInside) {
   }
 }
 
-TEUCHOS_UNIT_TEST(StiffTraces, OfStablePairsAreTheFluxAlone) {
+TEUCHOS_UNIT_TEST(VolumetricPrimalModes, OfStablePairsAreTheFluxAlone) {
   for (const Cell cell : {Cell::Triangle6, Cell::Quadrilateral9}) {
     const Interface one(square(cell, 0.499999), world());
     for (int i = 0; i < one.space->locals(); ++i) {
@@ -113,7 +113,7 @@ class FewStiffDirections : public LocalProblem {
   Vector ones_;
 };
 
-TEUCHOS_UNIT_TEST(StiffTraces, AreFoundWhereNothingElseResists) {
+TEUCHOS_UNIT_TEST(VolumetricPrimalModes, AreFoundWhereNothingElseResists) {
   for (const int n : {5, 9, 12, 40}) {
     const Matrix q =
         orthonormalBasis(Matrix::NullaryExpr(n, 3, [](Eigen::Index i, Eigen::Index j) { return std::sin(1.0 + i * (j + 2)); }), 1e-12);
@@ -125,19 +125,19 @@ TEUCHOS_UNIT_TEST(StiffTraces, AreFoundWhereNothingElseResists) {
   }
 }
 
-TEUCHOS_UNIT_TEST(StiffTraces, AddNothingToScenesThatAreNotNearlyIncompressible) {
+TEUCHOS_UNIT_TEST(VolumetricPrimalModes, AddNothingToScenesThatAreNotNearlyIncompressible) {
   const Interface one(square(Cell::Quadrilateral4, 0.45), world());
   const InterfaceOperator& matrix = *one.linearised.matrix;
   const auto weighting = Registry<Weighting>::instance().make("Stiffness Diagonal", Parameters());
   weighting->setup(*one.space, matrix.locals());
   const PrimalChoice plain = MomentConstraints(MomentConstraints::First::Everywhere).choose(*one.space, matrix.locals(), *weighting);
-  const PrimalChoice same = StiffTraces(std::make_unique<MomentConstraints>(MomentConstraints::First::Everywhere))
+  const PrimalChoice same = VolumetricPrimalModes(std::make_unique<MomentConstraints>(MomentConstraints::First::Everywhere))
                                 .choose(*one.space, matrix.locals(), *weighting);
   TEST_ASSERT(same.rows == plain.rows && same.alone == plain.alone);
   for (const auto& local : matrix.locals()) TEST_EQUALITY(stiffTraces(*local).cols(), 0);
 }
 
-TEUCHOS_UNIT_TEST(StiffTraces, KeepWeightedJumpsOfAnEdgeOrthogonalToThem) {
+TEUCHOS_UNIT_TEST(VolumetricPrimalModes, KeepWeightedJumpsOfAnEdgeOrthogonalToThem) {
   for (const char* name : {"Stiffness Diagonal", "Deluxe"}) {
     Scene scene = square(Cell::Quadrilateral4, 0.499999);
     for (int node = 0; node < scene.mesh.nodes(); ++node)  // weights change along seams

@@ -21,9 +21,9 @@ Matrix stiffTraces(const LocalProblem& local);
 /// Decorator of a choice: adds rows that keep the weighted jumps of each entity orthogonal to the stiff traces of all its sharers, unless
 /// the gain is negligible. Without nearly incompressible bodies the choice is unchanged. The traces of the last local problems are cached,
 /// as they outlive changes of the contact set.
-class StiffTraces : public PrimalConstraints {
+class VolumetricPrimalModes : public PrimalConstraints {
  public:
-  explicit StiffTraces(std::unique_ptr<PrimalConstraints> plain) : plain_(std::move(plain)) {}
+  explicit VolumetricPrimalModes(std::unique_ptr<PrimalConstraints> plain) : plain_(std::move(plain)) {}
   bool isAdaptive() const override { return plain_->isAdaptive(); }
 
  protected:

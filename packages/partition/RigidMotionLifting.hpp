@@ -31,7 +31,7 @@ bool takeOutRigidMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, c
 void moveFurther(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& motion);
 
 /// Copies the remaining rules and gaps of the subdomains into rank 0's constraints of the whole mesh. Collective.
-void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constraints& constraints);
+void adopt(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constraints& constraints);
 
 /// Displacements of a mesh's nodes including the removed motion, and relative to it. Node-major, Cartesian [length]. Local.
 Vector withLift(const SubdomainMesh& mesh, Vector beside);

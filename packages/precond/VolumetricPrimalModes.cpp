@@ -1,7 +1,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/precond/EntitySides.hpp>
-#include <suture/precond/StiffTraces.hpp>
+#include <suture/precond/VolumetricPrimalModes.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -121,7 +121,7 @@ Matrix stiffTraces(const LocalProblem& local) {
   }
 }
 
-PrimalChoice StiffTraces::doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
+PrimalChoice VolumetricPrimalModes::doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
   PrimalChoice choice = plainChoice(*plain_, space, locals, weighting);
   const auto incompressible = [](const auto& local) { return local && local->hint(Hint::kShearDiagonal).cols() > 0; };
   const int mine = std::any_of(locals.begin(), locals.end(), incompressible);
