@@ -50,8 +50,8 @@ class OuterSolver {
   virtual bool knowsFriction() const { return false; }
 
   /// \throws NumericalError  breakdown; lack of convergence is only reported in the result
-  /// \param start  initial state instead of the auxiliary solution (a restart), or null; a linear problem starts between zero and this
-  /// state
+  /// \param start  initial state instead of the auxiliary solution (a restart), or null; a linear problem starts at the minimum of the
+  /// energy on the line to it
   OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
                     const InterfaceState* start = nullptr) const;
 
