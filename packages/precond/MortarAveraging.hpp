@@ -15,7 +15,7 @@ namespace suture {
 /// unless there are thousands of unknowns.
 class MortarAveraging {
  public:
-  /// \param torn  the torn space, or the space itself on ranks without one; \param locals in the order of its couplings. Collective.
+  /// \param torn  the torn space, or the space itself on ranks without one; \param locals  in the order of its couplings. Collective.
   MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& torn, const LocalProblems& locals);
 
   /// values <- B values. In: sums within the bodies; out: a trace of the space, zero at its expressed unknowns. Collective.

@@ -19,7 +19,7 @@ namespace suture {
 /// resulting functionals are private primal unknowns, known only to j and the rows on i. Rows that straddle two j are omitted.
 class MortarRows {
  public:
-  /// \param torn  the torn space, or the space itself on ranks without one; \param choice the choice in `torn`. Collective.
+  /// \param torn  the torn space, or the space itself on ranks without one; \param choice  the choice in `torn`. Collective.
   MortarRows(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice);
 
   struct Row {

@@ -67,7 +67,7 @@ struct ContactSolution {
 /// and zero force keeps its state. Local.
 ///
 /// \param active     start, one entry per row; empty: rigid bodies on pads
-/// \param iterations maximum number of solves with an active set
+/// \param iterations  maximum number of solves with an active set
 /// \param step       called after each of these solves
 ContactSolution solveCondensedContact(const CondensedContact& problem, std::vector<char> active, int iterations,
                                       const std::function<void(const ActiveSetStep&)>& step);
