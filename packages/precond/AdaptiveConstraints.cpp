@@ -65,7 +65,7 @@ Matrix reducedTo(const Matrix& matrix, const std::vector<int>& kept) {
 }
 
 /// The parts of one local problem. Unknowns not needed by any of `sides` are eliminated, then recursively for each half of the sides; a
-/// separate elimination for each side would cost more by half their number. \param schur of the unknowns at `positions` of the trace,
+/// separate elimination for each side would cost more by half their number. \param schur  of the unknowns at `positions` of the trace,
 /// ascending
 void makeParts(const std::vector<SideOfLocal>& sides, const Matrix& whole, const Matrix& schur, const std::vector<int>& positions,
                const Weighting& weighting) {

@@ -24,7 +24,7 @@ class AdaptiveConstraints : public PrimalConstraints {
   bool isAdaptive() const override { return true; }
 
  protected:
-  /// \throws InputError if the threshold would select most of the interface.
+  /// \throws InputError  if the threshold would select most of the interface.
   PrimalChoice doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 
  private:

@@ -158,7 +158,7 @@ class Mechanisms {
     return false;
   }
 
-  /// Marks the point whose unknowns move most. \param unknowns candidates; \param motions their values, one row per unknown
+  /// Marks the point whose unknowns move most. \param unknowns  candidates; \param motions  their values, one row per unknown
   void markLargest(const std::vector<int>& unknowns, const Matrix& motions) {
     std::map<Point, double> moved;
     for (std::size_t k = 0; k < unknowns.size(); ++k)

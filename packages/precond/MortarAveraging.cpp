@@ -134,7 +134,7 @@ std::vector<GlobalId> grown(const std::vector<GlobalId>& patch, const Rows& rows
   return all;
 }
 
-/// The submatrix of a patch. \param placeOf work space, -1 for every column on entry and exit
+/// The submatrix of a patch. \param placeOf  work space, -1 for every column on entry and exit
 Matrix patchOf(const std::vector<GlobalId>& patch, const Rows& rows, std::vector<int>& placeOf) {
   const auto n = static_cast<int>(patch.size());
   Matrix matrix = Matrix::Zero(n, n);

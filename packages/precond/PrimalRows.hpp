@@ -33,7 +33,7 @@ std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoi
 
 /// Key of an unknown that is primal alone.
 GlobalId aloneKey(const InterfaceSpace& space, int place);
-/// A combination of unknowns as a primal unknown, with its motion about their centre. \param coefficients one row
+/// A combination of unknowns as a primal unknown, with its motion about their centre. \param coefficients  one row
 InterfaceLayout::Unknown combinedUnknown(const InterfaceSpace& space, GlobalId key, const std::vector<int>& places,
                                          const Matrix& coefficients);
 

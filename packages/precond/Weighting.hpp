@@ -17,8 +17,8 @@ class Weighting {
   virtual ~Weighting() = default;
 
   /// Collective. `locals` are the local problems that share the interface, in the order of the space's couplings: all for S, only those of
-  /// T^M for S_0 (eq. 33-36; null entries do not share). \throws NumericalError if an unknown has no positive weight; the message gives its
-  /// coordinates.
+  /// T^M for S_0 (eq. 33-36; null entries do not share). \throws NumericalError  if an unknown has no positive weight; the message gives
+  /// its coordinates.
   void setup(const InterfaceSpace& space, const LocalProblems& locals);
 
   /// trace <- D_i trace. Local. `trace`: displacements [length], unknowns of local problem i on the interface x right-hand sides.

@@ -11,9 +11,9 @@ namespace suture {
 
 namespace {
 
-constexpr double pointCompliance = 2.0;  // as in ContactCompliance: half of a pair's compliance is of the body beyond its own elements
+constexpr double pointCompliance = 2.0;  // as in ContactCompliance: half of a pair's compliance comes from the body beyond its own elements
 
-// a <- L, a = L L^T, lower triangle. False when a is not definite.
+// a <- L, a = L L^T, lower triangle. False if a is not positive definite.
 bool factorInPlace(Matrix& a) {
   const int n = int(a.rows()), stride = std::max(1, n);
   int info = 0;
@@ -40,7 +40,7 @@ Delassus::Delassus(const CondensedContact& problem)
   work_ = kernel_.transpose() * problem_.load;
   for (std::size_t block = 0; block + 1 < problem_.blocks.size(); ++block) {
     const int first = problem_.blocks[block], size = problem_.blocks[block + 1] - first;
-    // A loose block gets the stiffness of its own dofs on its kernel: definite, and of the size of everything else in it.
+    // A loose block gets the mean stiffness of its dofs on its kernel, which makes it definite without new scales.
     Matrix s = problem_.stiffness.block(first, first, size, size);
     const double own = size > 0 ? s.diagonal().mean() : 0.0;
     for (int m = 0; m < modes_; ++m) {
@@ -49,14 +49,14 @@ Delassus::Delassus(const CondensedContact& problem)
       s.noalias() += own * part * part.transpose();
     }
     if (!factorInPlace(s))
-      throw NumericalError("contact condensed to its dofs: a body's stiffness is not definite although no rigid motion is left in it");
+      throw NumericalError("condensed contact: the stiffness of a body is not positive definite although it has no rigid-body mode left");
 
     std::vector<int> here;
     for (int i = 0; i < rows_; ++i)
       if (std::any_of(problem_.dofs[i].begin(), problem_.dofs[i].end(), [&](int dof) { return dof >= first && dof < first + size; }))
         here.push_back(i);
     for (const int i : here) blocksOf_[i].push_back(int(block));
-    Matrix y = Matrix::Zero(size, Eigen::Index(here.size()) + 1);  // rows' transposes, then the load
+    Matrix y = Matrix::Zero(size, Eigen::Index(here.size()) + 1);  // transposed rows, then the load
     for (std::size_t c = 0; c < here.size(); ++c)
       for (std::size_t k = 0; k < problem_.dofs[here[c]].size(); ++k) {
         const int dof = problem_.dofs[here[c]][k] - first;
@@ -95,7 +95,7 @@ RigidContact Delassus::rigidContact() const {
   return RigidContact(std::move(pairs));
 }
 
-/// Rounding of what bodies displace without contact forces: of their bounds, and of the load's part that the kernel takes.
+/// Round-off of displacements without contact forces, from the bounds and from the displacements under the loads.
 Vector Delassus::rounding() const { return 1e-13 * (problem_.bounds.cwiseAbs() + (gapless_ + problem_.bounds).cwiseAbs()); }
 
 Vector Delassus::displacement(const Vector& force, const Vector& place) const {

@@ -9,12 +9,12 @@ namespace suture {
 
 namespace {
 
-constexpr double ofStiffness = 0.1;        // c over the local stiffness
-constexpr double accuracy = 1e-11;         // accuracy of forces, in parts of the largest
-constexpr double singular = 1e12;          // condition of scaled equations beyond which a step is not believed
-constexpr double givesWay = 1e-10;         // compliance of a tangential row whose nodes are all held, in parts of the largest
-constexpr double roundoff = 1e-15;         // rounding of a jump, in parts of the sizes of its terms
-constexpr double beyondItsElements = 2.0;  // compliance of a row over that of its own elements (as in ContactCompliance)
+constexpr double ofStiffness = 0.1;        // c relative to the local stiffness
+constexpr double accuracy = 1e-11;         // of forces, relative to the largest
+constexpr double singular = 1e12;          // condition number of the scaled equations above which a step is rejected
+constexpr double givesWay = 1e-10;         // compliance of a tangential row without free nodes, relative to the largest
+constexpr double roundoff = 1e-15;         // of a jump, relative to the sizes of its terms
+constexpr double beyondItsElements = 2.0;  // ratio of a row's compliance to that of its elements (as in ContactCompliance)
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -48,7 +48,7 @@ FrictionConditions::FrictionConditions(const CondensedContact& problem, const De
     touches_.push_back(problem.bounds[pair.first] <= 0.0);
     factor_[pair.first] = able_.back() ? ofStiffness / compliance_(pair.first, pair.first) : 0.0;
     if (pair.rows == 1) continue;
-    // One factor for both tangents: the trial force of a pair that slips points along its slip.
+    // One factor for both tangents, so that the trial force of a slipping pair points along its slip.
     const auto own = Eigen::seqN(pair.first + 1, pair.rows - 1);
     factor_(own).setConstant(ofStiffness / compliance_.diagonal()(own).maxCoeff());
   }
@@ -106,7 +106,7 @@ void FrictionConditions::finish(const Unknowns& at, const Vector& projection, Ev
     for (int k = 0; k < pairs_[p].rows; ++k) {
       const int i = pairs_[p].first + k;
       const double residual = std::abs(evaluation.residual[i]);
-      // A jump that should vanish, as the force that it costs in the row's own elements: bodies on soft springs are not measured by these.
+      // A jump that should vanish is measured by its force in the row's own elements, which is independent of soft springs under the body.
       const bool isJump = factor_[i] > 0.0 && (k == 0 ? branch.pressed : branch.sliding == Sliding::Stick);
       const double tolerance = accuracy * size * (isJump ? factor_[i] * local_[i] / ofStiffness : 1.0);
       evaluation.error = std::max(evaluation.error, over(residual, tolerance + factor_[i] * rounding_[i]));
@@ -191,7 +191,7 @@ std::vector<FrictionConditions::Branch> FrictionConditions::branchesOf(const Sta
 }
 
 Vector FrictionConditions::bounds(const Unknowns& at, const States& now) const {
-  constexpr double beyond = 1e150;  // no finite bound holds it
+  constexpr double beyond = 1e150;  // exceeds every finite bound
   const Evaluation evaluation = begin(at);
   const Vector z = trial(at, evaluation.jump);
   Vector bounds = Vector::Zero(Eigen::Index(pairs_.size()));
@@ -211,7 +211,7 @@ Vector FrictionConditions::bounds(const Unknowns& at, const States& now) const {
 
 bool FrictionConditions::solveOnce(const std::vector<Branch>& branches, const Unknowns& at, double held, double drag,
                                    Unknowns& next) const {
-  std::vector<int> unknown;  // rows with force
+  std::vector<int> unknown;  // rows with unknown forces
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (branches[p].pressed) unknown.push_back(pairs_[p].first);
     if (branches[p].sliding != Sliding::Free)
@@ -223,7 +223,7 @@ bool FrictionConditions::solveOnce(const std::vector<Branch>& branches, const Un
   std::vector<int> place(rows(), -1);
   for (int i = 0; i < forces; ++i) place[unknown[i]] = i;
 
-  // Jumps of the rows in the unknowns: softened where forces are held.
+  // Jumps of the rows as functions of the unknowns, with added compliance if forces are held.
   Matrix jumps(forces, all);
   jumps.leftCols(forces) = -compliance_(unknown, unknown);
   jumps.rightCols(motions()) = motions_(unknown, Eigen::all);
@@ -242,7 +242,7 @@ bool FrictionConditions::solveOnce(const std::vector<Branch>& branches, const Un
         if (place[first] >= 0) a(i, place[first]) -= branch.slope * branch.direction[k];
         b[i] = (branch.bound - branch.slope * branch.normal) * branch.direction[k];
         if (pairs_[p].rows == 2 || branch.length == 0.0) continue;
-        // The direction turns with the trial force across it.
+        // The slip direction turns with the transverse trial force.
         for (int l = 1; l < pairs_[p].rows; ++l) {
           const double across = branch.bound / branch.length * ((k == l ? 1.0 : 0.0) - branch.direction[k] * branch.direction[l]);
           const int other = place[first + l];

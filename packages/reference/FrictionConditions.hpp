@@ -3,38 +3,38 @@
 
 namespace suture {
 
-/// The conditions of contact with friction as equations for the forces f of all rows and the amplitudes a of the kernel: with the jumps
-/// w = h - H f + C Z a (penetrations and slips of the step) and the trial forces z = f + c w of a pair,
+/// Frictional contact conditions as equations for the forces f of all rows and the amplitudes a of the kernel: with the jumps w = h - H f +
+/// C Z a (penetrations and slips of the step) and the trial forces z = f + c w of a pair,
 ///     f = projection of z by the pair's law,    (C Z)^T f = Z^T load
-/// (Alart and Curnier 1991). c is a tenth of the local stiffness, 1 / H_ii or more on bodies that yield as a
-/// whole: at one and above Newton's method cycles (measured). Either by
-/// the laws, or with frozen bounds of the tangential forces: a Tresca problem, which is convex. Local.
+/// (Alart and Curnier 1991). c is a tenth of the local stiffness, which is 1 / H_ii, or more on bodies that yield as a whole; with c of the
+/// local stiffness and above, Newton's method cycles (measured). The tangential forces follow either the laws, or frozen bounds: a convex
+/// Tresca problem. Local.
 class FrictionConditions {
  public:
   struct Unknowns {
     Vector force, place;
   };
   enum class Sliding { Free, Stick, Slip };
-  /// Branch of the projection in which a pair is.
+  /// Branch of the projection of a pair.
   struct Branch {
     bool pressed = false;  ///< the normal row is an equation
     Sliding sliding = Sliding::Free;
-    double bound = 0.0;                 ///< tangential force at the trial of a pair that slips
-    double slope = 0.0;                 ///< by how much the normal force raises it
-    double normal = 0.0, length = 0.0;  ///< trial forces: the normal one, size of the tangential one
+    double bound = 0.0;                 ///< tangential force limit of a slipping pair at the trial state
+    double slope = 0.0;                 ///< derivative of the bound with respect to the normal force
+    double normal = 0.0, length = 0.0;  ///< trial forces: normal force, norm of the tangential force
     Point direction{0, 0, 0};           ///< direction of slip, in the frame of the pair
 
-    /// The same equations, but for a slip that turns a little.
+    /// True if the equations are the same up to a small rotation of the slip direction.
     bool like(const Branch& other) const;
   };
   struct Evaluation {
-    std::vector<ContactState> states;  ///< by the laws; empty with frozen bounds
+    std::vector<ContactState> states;  ///< from the laws; empty with frozen bounds
     std::vector<Branch> branches;
     Vector jump, residual;        ///< w; f - projection
     Vector defect;                ///< Z^T load - (C Z)^T f
     double merit = 0.0;           ///< norm of residual and defect [force]
-    double error = 0.0;           ///< largest of them over its tolerance: solved at 1 and below
-    bool withinRounding = false;  ///< solved, if rounding is allowed for that the largest forces leave in each jump
+    double error = 0.0;           ///< largest of them over its tolerance; solved if <= 1
+    bool withinRounding = false;  ///< solved up to the round-off of the largest forces in each jump
     double violation = 0.0;       ///< residual as a displacement [length]
   };
   using States = std::vector<ContactState>;
@@ -46,27 +46,27 @@ class FrictionConditions {
   int motions() const { return int(motions_.cols()); }
   const std::vector<CondensedContact::Pair>& pairs() const { return pairs_; }
 
-  /// \param now  states that the pairs have; kept where the trial decides nothing
+  /// \param now  current states of the pairs, kept if the trial is indifferent
   Evaluation evaluate(const Unknowns& at, const States& now) const;
-  /// With frozen bounds, one a pair; infinite: the pair does not slide.
+  /// With frozen bounds, one per pair; infinite: the pair does not slide.
   Evaluation evaluate(const Unknowns& at, const Vector& bounds) const;
-  /// Branches that given states mean: a start.
+  /// Branches of given states, for a start.
   std::vector<Branch> branchesOf(const States& states) const;
   /// Bounds of the tangential forces at a trial, for a Tresca problem.
   Vector bounds(const Unknowns& at, const States& now) const;
 
   enum class Solved { Exactly, Held, Dragged, Not };
-  /// Solution of the equations of some branches, linearised: a step of Newton's method. Where they leave forces undetermined these stay
-  /// near what they are (Held); where they leave a body loose, it moves against a drag (Dragged).
-  /// \param drag  of the loose motions, of the local stiffness
+  /// Solves the linearised equations of given branches: a Newton step. Undetermined forces stay near their current values (Held); a loose
+  /// body moves against a drag (Dragged). \param drag  of the loose motions, relative to the local stiffness
   Solved solve(const std::vector<Branch>& branches, const Unknowns& at, double drag, Unknowns& next) const;
 
-  /// Tresca problem by block Gauss-Seidel on its energy, which falls with each block, and Newton steps where they lower it, inside a
-  /// proximal point iteration on the motions. Ends always. Better `at` in, best found out. \return its evaluation
+  /// Solves a Tresca problem by block Gauss-Seidel on its energy, which decreases with each block, and Newton steps that decrease it,
+  /// inside a proximal point iteration on the motions. Always terminates. \param at  in: initial guess; out: best solution found. \return
+  /// its evaluation
   Evaluation solveByBlocks(Unknowns& at, const Vector& bounds, int sweeps) const;
 
  private:
-  /// Softness, of a row's own elements, that keeps undetermined forces near what they were.
+  /// Compliance, relative to a row's own elements, that keeps undetermined forces near their previous values.
   static constexpr double kHold = 1e-8;
 
   void finish(const Unknowns& at, const Vector& projection, Evaluation& evaluation) const;
@@ -78,11 +78,11 @@ class FrictionConditions {
   Vector ontoAllowed(Vector force, const Vector& bounds) const;
 
   std::vector<CondensedContact::Pair> pairs_;
-  std::vector<char> able_, touches_;  // by pair: its normal row has unknowns; it touches where it has none
+  std::vector<char> able_, touches_;  // by pair: its normal row has unknowns; without unknowns, the pair touches
   const Vector &open_, &work_;
-  Matrix compliance_, sizes_;          // H, |H|; of a tangential row without unknowns next to nothing
+  Matrix compliance_, sizes_;          // H, |H|; close to zero for a tangential row without unknowns
   const Matrix& motions_;              // C Z
-  Vector local_, rounding_;            // compliance of each row's own elements; error of its jump by rounding
+  Vector local_, rounding_;            // compliance of each row's own elements; round-off error of its jump
   Vector factor_, scale_, amplitude_;  // c of each row; scales of forces and amplitudes
 };
 

@@ -25,7 +25,7 @@ Point nodal(const Vector& field, int node, int dimension) {
   return p;
 }
 
-// Rigid motions of loose parts, seen in the contact dofs: orthonormal columns, zero outside their part.
+// Rigid motions of loose parts in the contact dofs: orthonormal columns, zero outside their part.
 Matrix looseMotions(const Mesh& mesh, const MonolithicSystem& system, const RigidParts& rigid) {
   int modes = 0;
   std::vector<int> first;
@@ -48,14 +48,14 @@ Matrix looseMotions(const Mesh& mesh, const MonolithicSystem& system, const Rigi
     const Eigen::Index columns = rigid.parts[p].free.cols();
     if (columns == 0) continue;
     const Matrix own = z(dofsOf[p], Eigen::seqN(first[p], columns));
-    // A part without contact keeps its columns of zeros; checkSolvability has refused such a scene before.
+    // A part without contact would have zero columns; checkSolvability refuses such scenes.
     if (own.rows() < columns) throw InternalError("a loose part has fewer contact dofs than rigid motions");
     z(dofsOf[p], Eigen::seqN(first[p], columns)) = orthonormalBasis(own, 1e-14);
   }
   return z;
 }
 
-// The shift that keeps loose bodies definite; others need none and lose no digits to it.
+// Shift that keeps loose bodies definite; zero for other bodies, whose accuracy it would reduce.
 Vector shiftOf(const MonolithicSystem& system, const RigidParts& rigid) {
   const bool anyLoose = std::any_of(rigid.parts.begin(), rigid.parts.end(), [](const RigidPart& part) { return part.free.cols() > 0; });
   if (!anyLoose) return {};
@@ -65,13 +65,13 @@ Vector shiftOf(const MonolithicSystem& system, const RigidParts& rigid) {
   return shift;
 }
 
-/// Problem that remains at the displacement x: `load` are the forces on the free dofs, `held` the displacements of the interior dofs under
-/// them while contact dofs stay where they are.
+/// Contact problem for the correction at the displacement x: `load` are the forces on the free dofs, `held` the resulting displacements of
+/// the interior dofs with fixed contact dofs.
 struct Rest {
   Vector x, load, held;
 };
 
-/// True if a law decides about more than which pairs are closed: it restricts sliding, or never opens a pair.
+/// True if some law restricts sliding or never opens a pair.
 bool lawsDecide(const Constraints& constraints, int dimension) {
   return std::any_of(constraints.pairs.begin(), constraints.pairs.end(), [&](const ContactPair& pair) {
     const ContactLaw& law = constraints.laws.of(pair.line);
@@ -113,8 +113,8 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
   return contact;
 }
 
-/// Restores digits that the factorisation has lost: rounding of the stiffest elements holds them like springs to the ground, and softer
-/// ones beside them feel it. One step of iterative refinement: the residual is formed from stresses, which know no rigid motions, and the
+/// One step of iterative refinement, which restores digits lost in the factorisation: round-off of the stiffest elements acts like springs
+/// to the ground and affects the softer elements next to them. The residual is formed from stresses, which vanish in rigid motions, and the
 /// contact problem of the residual is solved with the same factor.
 void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
             const CholmodFactor& factor, const MonolithicOptions& options, Vector& x, ContactSolution& contact) {
@@ -145,7 +145,7 @@ void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSy
   x += step;
 }
 
-// Energy and balance from element forces of the final displacement: independent of the factorisation.
+// Energy and balance from element forces of the final displacement, independent of the factorisation.
 void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, MonolithicResult& result) {
   const int dimension = mesh.dimension;
   const Vector internal = system.internalForces(result.displacement);
@@ -206,8 +206,7 @@ std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constra
     if (system.contactDof()[i].node == node) towards = plus(towards, scaled(motion[i], system.contactDof()[i].direction));
   throw NumericalError("no equilibrium exists: body '" + mesh.bodies[mesh.bodyOfNode[node]] + "' slides away, at " +
                        placeText(mesh.point(node), mesh.dimension) + " towards " + placeText(unit(towards), mesh.dimension) +
-                       ": friction, as large as its laws allow, does not carry the loads. Hold the body, load it less, or raise the "
-                       "bounds of friction");
+                       ": friction at its limit cannot carry the loads. Hold the body, reduce its loads, or increase friction");
 }
 
 }  // namespace
@@ -236,7 +235,7 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
   result.factorFlops = factor.statistics().flops;
 
   Matrix interior = system.load().head(leading);
-  factor.solveLeading(interior);  // contact dofs held at zero
+  factor.solveLeading(interior);  // contact dofs fixed at zero
   Vector x = Vector::Zero(system.dofs());
   ContactSolution contact;
   contact.converged = true;

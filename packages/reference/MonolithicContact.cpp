@@ -9,7 +9,7 @@ namespace suture {
 
 namespace {
 
-/// Tells of each solve.
+/// Reports each solve.
 class MonitoredProblem : public DelassusProblem {
  public:
   MonitoredProblem(const RigidContact& rigid, const Delassus& delassus, const CondensedContact& problem,
@@ -62,10 +62,11 @@ ContactSolution solveCondensedContact(const CondensedContact& problem, std::vect
 
   ContactSolution result;
   result.converged = found.converged;
-  result.failure = found.failure.empty() && !found.converged ? "the active set did not settle within the given iterations" : found.failure;
+  result.failure =
+      found.failure.empty() && !found.converged ? "the active set did not converge within the given iterations" : found.failure;
   result.force = found.force;
   result.active = found.closed;
-  // Prescribed rows carry no force; they are active where they touch.
+  // Prescribed rows carry no force; they are active if they touch.
   for (std::size_t i = 0; i < result.active.size(); ++i)
     if (!rigid.data().able[i]) result.active[i] = problem.bounds[Eigen::Index(i)] <= 0.0;
   result.neutral = found.neutral;

@@ -13,13 +13,13 @@ using Conditions = FrictionConditions;
 using Unknowns = FrictionConditions::Unknowns;
 using States = FrictionConditions::States;
 
-constexpr int newtonSteps = 60;      // most steps of one call: it converges in few, or cycles
-constexpr int halvings = 8;          // most halvings of a step that does not lower the residual
-constexpr int slidingSteps = 10;     // steps of a body that slides on, each sixteen times as long as the last, until it has met nothing
-constexpr int trescaProblems = 200;  // most problems of the fixed point
+constexpr int newtonSteps = 60;      // maximum number of steps per call: it converges in few, or cycles
+constexpr int halvings = 8;          // maximum number of halvings of a step that does not reduce the residual
+constexpr int slidingSteps = 10;     // steps of a sliding body without new contact, each sixteen times as long as the last
+constexpr int trescaProblems = 200;  // maximum number of problems of the fixed point
 constexpr int sweepsOfBlocks = 200;
 
-/// Joint size of changes of bounds; bounds without limit are the same.
+/// Norm of the changes of bounds; infinite bounds are ignored.
 double distance(const Vector& a, const Vector& b) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < a.size(); ++i)
@@ -80,7 +80,7 @@ void FrictionSearch::tell(const Conditions::Evaluation& before, const Conditions
   tell_(step);
 }
 
-/// Newton's method from x, by the laws or with frozen bounds. A step that does not lower the residual is halved.
+/// Newton's method from x, by the laws or with frozen bounds. A step that does not reduce the residual is halved.
 FrictionSearch::Ended FrictionSearch::newton(Unknowns& x, const Vector* bounds) {
   Conditions::Evaluation now = evaluate(x, bounds);
   double drag = 1.0;
@@ -94,7 +94,7 @@ FrictionSearch::Ended FrictionSearch::newton(Unknowns& x, const Vector* bounds) 
     if (solved == Conditions::Solved::Not) return Ended::Not;
     Conditions::Evaluation after = evaluate(next, bounds);
     if (solved == Conditions::Solved::Dragged) {
-      // A loose body goes where the loads push it, faster and faster, until its pairs change: then something stops it or holds it.
+      // The loads move a loose body in growing steps until its pairs change: then something stops or holds it.
       const bool same = after.defect.norm() > 0.9 * now.defect.norm() && alike(after, now);
       sliding = same ? sliding + 1 : 0;
       drag = same ? drag / 16.0 : 1.0;
@@ -103,7 +103,7 @@ FrictionSearch::Ended FrictionSearch::newton(Unknowns& x, const Vector* bounds) 
         return Ended::Slides;
       }
     } else if (after.error > 1.0 && after.withinRounding && after.merit > 0.5 * now.merit && alike(after, now)) {
-      // Nothing but rounding is left.
+      // Only round-off is left.
       if (after.merit < now.merit) x = next;
       if (after.merit < now.merit && !bounds) states_ = after.states;
       return Ended::Converged;
@@ -129,7 +129,7 @@ FrictionSearch::Ended FrictionSearch::newton(Unknowns& x, const Vector* bounds) 
   return Ended::Not;
 }
 
-/// The linear problem that states mean. False where it has no solution.
+/// Starts from the solution of the linear problem of given states. False if it has no solution.
 bool FrictionSearch::startFrom(const States& states) {
   Unknowns next;
   if (conditions_.solve(conditions_.branchesOf(states), x_, 1.0, next) == Conditions::Solved::Not) return false;
@@ -138,7 +138,7 @@ bool FrictionSearch::startFrom(const States& states) {
   return true;
 }
 
-/// A Tresca problem. \param x  start and result
+/// Solves a Tresca problem. \param x  start and result
 bool FrictionSearch::tresca(Unknowns& x, const Vector& bounds, FrictionWay way) {
   if (way != FrictionWay::FixedPointBlocks) {
     Unknowns found = x;
@@ -149,7 +149,7 @@ bool FrictionSearch::tresca(Unknowns& x, const Vector& bounds, FrictionWay way) 
   return conditions_.solveByBlocks(x, bounds, sweepsOfBlocks).error <= 1.0;
 }
 
-/// Frictionless solution, or that with all pairs stuck. False where neither is known.
+/// Starts from the frictionless solution, or the one with all pairs sticking. False if neither exists.
 bool FrictionSearch::begin() {
   Vector bounds = conditions_.bounds(x_, states_);
   for (double& bound : bounds)
@@ -169,7 +169,7 @@ FrictionSearch::Ended FrictionSearch::fixedPoint(FrictionWay way) {
   Ended best = Ended::Not;
   for (int k = 0; k < trescaProblems; ++k) {
     const bool found = tresca(x_, bounds, way);
-    const bool tries = way == FrictionWay::Newton && (k & (k - 1)) == 0;  // ever more seldom
+    const bool tries = way == FrictionWay::Newton && (k & (k - 1)) == 0;  // less and less often
     if (tries || !found) {
       Unknowns x = x_;
       const States before = states_;
@@ -181,7 +181,7 @@ FrictionSearch::Ended FrictionSearch::fixedPoint(FrictionWay way) {
       states_ = before;
       best = ended;
     }
-    if (!found) return best;  // the bounds hold no equilibrium: there are none to go on with
+    if (!found) return best;  // no equilibrium within the bounds, hence no new bounds
     const Conditions::Evaluation now = conditions_.evaluate(x_, states_);
     states_ = now.states;
     if (now.error <= 1.0) return Ended::Converged;
@@ -215,7 +215,7 @@ ContactSolution FrictionSearch::result(Ended ended) const {
   solution.contraction = contraction_;
   const Conditions::Evaluation last = conditions_.evaluate(x_, states_);
   solution.states = last.states;
-  solution.force = x_.force - last.residual;  // the projection: no pair pulls, none leaves its cone by rounding
+  solution.force = x_.force - last.residual;  // the projection: round-off puts no pair in tension or outside its cone
   if (!solution.converged) solution.force = x_.force;
   for (const CondensedContact::Pair& pair : conditions_.pairs())
     for (int k = 0; k < pair.rows; ++k) solution.active.push_back(last.states[&pair - conditions_.pairs().data()].closed());

@@ -13,7 +13,7 @@ namespace suture {
 
 namespace {
 
-constexpr double negligible = 1e-14;  // a component of a unit normal that is rounding only
+constexpr double negligible = 1e-14;  // round-off in a component of a unit normal
 
 Vector inAxes(const NodeRule* rule, const Point& direction, int dimension) {
   const Eigen::Map<const Vector> n(direction.data(), dimension);
@@ -46,7 +46,7 @@ void MonolithicSystem::number() {
   }
   const auto ruleAt = [&](int node) { return ruleOf_[node] < 0 ? nullptr : &constraints_.rules[ruleOf_[node]]; };
 
-  // Contact rows over node components first; unknowns are numbered when all of them are known.
+  // First contact rows in node components; unknowns are numbered when all rows are known.
   struct Entry {
     int row, component;
     double coefficient;
@@ -89,7 +89,7 @@ void MonolithicSystem::number() {
       index_[c] = dofs_++;
     }
   }
-  // The Schur complement couples within a body only: grouped by body its blocks are dense and their factors stay apart.
+  // The Schur complement couples only dofs of the same body: grouped by body, it has dense blocks with separate factors.
   std::stable_sort(last.begin(), last.end(),
                    [&](int a, int b) { return mesh_.bodyOfNode[a / dimension] < mesh_.bodyOfNode[b / dimension]; });
   const int leading = dofs_;
@@ -108,7 +108,7 @@ void MonolithicSystem::number() {
   }
 }
 
-// Columns of the lower triangle from the neighbours of nodes: no list of triplets, which would be several times larger than the matrix.
+// Columns of the lower triangle from the neighbours of nodes, because a list of triplets would be several times larger than the matrix.
 SparseMatrix MonolithicSystem::pattern() const {
   const int dimension = mesh_.dimension, nodes = mesh_.nodes();
   std::vector<int> offset(nodes + 1, 0), elementsAt;

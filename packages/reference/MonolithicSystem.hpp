@@ -10,29 +10,29 @@
 namespace suture {
 
 /// The whole scene as one system of equations, numbered for one sparse factorisation: K x = f in the free components of the nodal axes,
-/// contact components last, prescribed ones moved to the right-hand side; and the contact rows C x <= g in the same unknowns.
-/// Pairs whose law restricts sliding have rows along their tangents beside the normal one. Local.
+/// with contact components last and prescribed ones moved to the right-hand side, and contact rows C x <= g in the same unknowns. Pairs
+/// whose law restricts sliding have tangential rows in addition to the normal one. Local.
 class MonolithicSystem {
  public:
   /// A contact row restricted to its free contact dofs (numbers from 0 among the trailing dofs); a row may have none.
   struct Row {
     std::vector<int> dofs;
     std::vector<double> coefficients;
-    double bound = 0.0;           ///< gap (0 along tangents) minus what the prescribed components contribute [length]
-    int pair = 0, component = 0;  ///< place of the contact pair; 0: along its normal, else along a tangent (PairFrame)
+    double bound = 0.0;           ///< gap (0 along tangents) minus the contribution of prescribed components [length]
+    int pair = 0, component = 0;  ///< index of the contact pair; 0: normal, else a tangent (PairFrame)
   };
 
   MonolithicSystem(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
 
-  int dofs() const { return dofs_; }                ///< free ones
-  int contactDofs() const { return contactDofs_; }  ///< the last of them, grouped by body
+  int dofs() const { return dofs_; }                ///< free dofs
+  int contactDofs() const { return contactDofs_; }  ///< trailing dofs, grouped by body
   const SymmetricMatrix& stiffness() const { return stiffness_; }
   const Vector& load() const { return load_; }
-  const std::vector<Row>& rows() const { return rows_; }  ///< rows of the contact pairs in their order, as many as their laws restrict
+  const std::vector<Row>& rows() const { return rows_; }  ///< rows of the contact pairs in their order, one per restricted direction
   double prescribedEnergy() const { return energy_; }     ///< energy when all free dofs are zero
   const Vector& nodalForces() const { return forces_; }   ///< forces of the loads: node-major, Cartesian
 
-  /// The contact component that stands at each trailing dof: node and Cartesian direction.
+  /// Contact component of a trailing dof: node and Cartesian direction.
   struct ContactDof {
     int node;
     Point direction;
@@ -45,10 +45,10 @@ class MonolithicSystem {
   /// Components of nodal forces along the free dofs. \param nodal  node-major, Cartesian
   Vector onFree(const Vector& nodal) const;
 
-  /// Internal forces K u of the whole mesh, prescribed nodes included; from stresses at quadrature points, not with stiffness(): a stiff
-  /// part that moves rigidly answers with the rounding of its strains only. Same shape as u.
+  /// Internal forces K u of the whole mesh, including prescribed nodes, from stresses at quadrature points instead of stiffness(): the
+  /// error for a stiff part in rigid motion is then only the round-off of its strains. Same shape as u.
   Vector internalForces(const Vector& displacement) const;
-  /// Adds the forces of elastic supports to a balance, and takes out of it the loads that stand for initial strains and stresses.
+  /// Adds the forces of elastic supports to a balance, and removes the loads that represent initial strains and stresses.
   void addParts(const Vector& displacement, Balance& balance) const;
 
  private:

@@ -12,7 +12,7 @@ namespace suture {
 
 namespace {
 
-/// Nodal values of this rank's subdomains, asked of rank 0 by the mesh's numbers.
+/// Nodal values of this rank's subdomains, received from rank 0 by global node numbers.
 std::vector<Vector> scatterToSubdomains(const Comm& comm, const Vector& whole, int dimension, const std::vector<SubdomainMesh>& meshes) {
   Packer asked;
   for (const SubdomainMesh& mesh : meshes) asked.put(mesh.globalNodes);
@@ -40,7 +40,7 @@ std::vector<Vector> scatterToSubdomains(const Comm& comm, const Vector& whole, i
   return displacement;
 }
 
-/// The part of rank 0's answer that all ranks need.
+/// Figures of the result on rank 0 that all ranks need.
 struct Figures {
   bool converged;
   int iterations;
@@ -53,11 +53,10 @@ constexpr const char* kName = "Monolithic";
 
 Schema Reference::schema() {
   return Schema(
-             "The whole system on one rank, one factorisation with the contact unknowns last, active set: for small scenes and as a "
-             "reference.")
+             "The whole system on one rank, by one factorisation with the contact unknowns last and an active set; for small scenes and as "
+             "a reference.")
       .oneOf("Ordering", "Automatic", {"AMD", "Automatic", "METIS"},
-             "Order of the unknowns that are not in contact: METIS leaves less fill than AMD and takes longer to find it. Automatic: METIS "
-             "in space.");
+             "Order of the unknowns that are not in contact: METIS gives less fill than AMD but takes longer. Automatic: METIS in 3D.");
 }
 
 Reference::Reference(const Parameters& settings, const Parameters& own) {
@@ -79,7 +78,7 @@ Solution Reference::doSolve(Monitor& monitor, const Start*, const Keep&) {
   const Comm& comm = *scene().comm;
   MonolithicResult result;
   collectivelyOnRoot(comm, "the monolithic solver", [&] {
-    Monitor later;  // the rows are told on all ranks below
+    Monitor later;  // the rows are reported on all ranks below
     result = solveMonolithic(scene().mesh, scene().constraints, *system_, options_, later);
   });
   Packer packer;

@@ -20,7 +20,7 @@ Vector FrictionConditions::ontoAllowed(Vector force, const Vector& bounds) const
 
 FrictionConditions::Evaluation FrictionConditions::solveByBlocks(Unknowns& at, const Vector& bounds, int sweeps) const {
   constexpr double drag = 0.1;
-  const Vector eases = amplitude_.cwiseAbs2() / drag;  // motion that a unit of unbalanced force causes
+  const Vector eases = amplitude_.cwiseAbs2() / drag;  // motion per unit of unbalanced force
   const Matrix all = compliance_ + motions_ * eases.asDiagonal() * motions_.transpose();
   at.force = ontoAllowed(at.force, bounds);
   Evaluation best = evaluate(at, bounds);
@@ -36,7 +36,7 @@ FrictionConditions::Evaluation FrictionConditions::solveByBlocks(Unknowns& at, c
         for (const bool normal : {true, false}) {
           const int begin = normal ? first : first + 1, size = normal ? 1 : pairs_[p].rows - 1;
           if (size == 0 || (normal && !able_[p])) continue;
-          // The largest curvature of the block: its step lowers the energy.
+          // A step with the largest curvature of the block decreases the energy.
           double curvature = all(begin, begin);
           if (size == 2) {
             const double mean = 0.5 * (all(begin, begin) + all(begin + 1, begin + 1));
@@ -67,7 +67,7 @@ FrictionConditions::Evaluation FrictionConditions::solveByBlocks(Unknowns& at, c
     at.place += eases.cwiseProduct(work_ - motions_.transpose() * at.force);
     best = evaluate(at, bounds);
     if (motions() == 0) break;
-    // A force that stays unbalanced drives the bodies on and on: the bounds hold no equilibrium.
+    // A persistent unbalanced force means that no equilibrium exists within the bounds.
     const double unbalanced = best.defect.norm();
     if (proximal > 20 && std::abs(unbalanced - last) < 1e-9 * unbalanced && best.error > 1e3) break;
     last = unbalanced;

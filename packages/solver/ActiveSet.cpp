@@ -13,7 +13,7 @@ namespace suture {
 Schema ActiveSet::schema() {
   Schema schema("Active set on the interface (Contact On The Interface).");
   schema.real("Inner Tolerance", 1e-2,
-              "Tolerance of linear solves until the set of closed pairs stays, relative to the energy norm of the solution.",
+              "Tolerance of linear solves until the set of closed pairs no longer changes, relative to the energy norm of the solution.",
               {0.0, 1.0, true, true, {}});
   return schema;
 }
@@ -47,8 +47,8 @@ void ActiveSet::search(Run& run, double innerTolerance) {
     if (run.atFloor && !run.done()) {
       std::ostringstream text;
       text.precision(2);
-      text << std::scientific << "rounding ends the iterations at a residual of " << run.result.residual << ", above the tolerance of "
-           << run.settings.tolerance << ": the precision of this run holds no more digits of this scene";
+      text << std::scientific << "the residual stagnates at round-off: " << run.result.residual << ", above the tolerance of "
+           << run.settings.tolerance << "; this scene cannot be solved more accurately in this precision";
       run.monitor.note(text.str());
     }
     return;

@@ -3,11 +3,11 @@
 
 namespace suture {
 
-/// Active set on the interface for Contact On The Interface: ContactSearch with conjugate gradients (SetSolves). Started from rigid bodies
+/// Active set on the interface for Contact On The Interface: ContactSearch with conjugate gradients (SetSolves). Starts from rigid bodies
 /// on pads, without a linear solve, or with all pairs closed (Outer Solver/Start).
 ///
-/// Linear solves end at the inner tolerance until the set stays, then half way to the final one, then at that; as long as the set stays
-/// conjugate gradients go on where they stopped.
+/// Linear solves use the inner tolerance until the set no longer changes, then the geometric mean with the final tolerance, then the final
+/// tolerance; conjugate gradients are resumed as long as the set is unchanged.
 class ActiveSet : public OuterSolver {
  public:
   static Schema schema();
@@ -15,7 +15,7 @@ class ActiveSet : public OuterSolver {
   bool solves(const Formulation& formulation) const override { return !formulation.hidesContact(); }
   bool knowsFriction() const override { return true; }
   /// ContactSearch from run.result.state, by conjugate gradients.
-  /// \param innerTolerance  of linear solves until the set stays
+  /// \param innerTolerance  of linear solves until the set no longer changes
   static void search(Run& run, double innerTolerance);
 
  protected:

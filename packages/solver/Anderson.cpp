@@ -38,8 +38,8 @@ MultiVectorPtr Anderson::accelerate(const MultiVector& u, const MultiVector& cor
     for (int j = 0; j < m; ++j) gram(i, j) = dot(*df[i], *dr[j]);
     right(i) = dot(*df[i], residual);
   }
-  gram = (0.5 * (gram + gram.transpose())).eval();  // inner solves are not exact
-  // Directions that the inner solves do not resolve are left out.
+  gram = (0.5 * (gram + gram.transpose())).eval();  // inner solves are inexact
+  // Drop directions that the inner solves do not resolve.
   const Eigenpairs eigen = symmetricEigenpairs(gram);
   const double least = 1e-6 * eigen.values.maxCoeff();
   if (!(least > 0.0)) return Teuchos::null;

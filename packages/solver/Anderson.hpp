@@ -5,15 +5,15 @@
 
 namespace suture {
 
-/// Anderson acceleration of a fixed-point iteration U <- U + f(U), f = S^-1 r: the step that makes the combined correction smallest in the
-/// S norm, whose inner products are products of corrections with residuals, so that S is never applied. Collective.
+/// Anderson acceleration of a fixed-point iteration U <- U + f(U), f = S^-1 r: the step with the smallest combined correction in the S
+/// norm. Its inner products are products of corrections and residuals, so S is never applied. Collective.
 class Anderson {
  public:
   explicit Anderson(int depth) : depth_(depth) {}
 
-  /// Step to add to U, or null when there is no history yet. Remembers U, f and r.
+  /// Step to add to U, or null without history. Stores U, f and r.
   MultiVectorPtr accelerate(const MultiVector& u, const MultiVector& correction, const MultiVector& residual);
-  /// Forgets the history before the point last given.
+  /// Discards the history before the last point.
   void restart();
 
  private:

@@ -4,28 +4,29 @@
 
 namespace suture {
 
-/// Energy norm of a body that carries nothing, relative to the largest that it has had.
+/// Energy norm below which a body carries nothing, relative to its largest so far.
 constexpr double kNegligibleEnergyNorm = 1e-12;
-/// Part of the energy of the whole, or of a cluster, below which a body has none of its own.
+/// Fraction of the total or cluster energy below which the energy of a body is neglected.
 constexpr double kPassive = 1e-12;
-/// Imbalance of a body's forces that is taken, in parts of the tolerance of residuals: a tenth of what the verdict allows.
+/// Accepted imbalance of a body's forces relative to the residual tolerance: a tenth of the limit of the verdict.
 constexpr double kImbalance = 10.0;
-/// Factor on the tolerance that would do if all residuals fell alike.
+/// Safety factor on the tolerance that would suffice if all residuals decreased at the same rate.
 constexpr double kSharper = 0.7;
 
-/// Imbalance of the loads and pair forces on a body, in the motions that nothing but contact stops, beside the forces that pass through it:
-/// the largest of all bodies. Forces across these motions count, too, by what deforms the body, and a body without loads has a share of its
-/// neighbours': what is left along a motion that nothing drives is rounding of them. Local; the same on all ranks.
-/// \param force    forces of each pair: the normal one, and those along the tangents where laws restrict sliding
+/// Imbalance of the loads and pair forces on a body in the motions stopped only by contact, relative to the forces transmitted by the body;
+/// the maximum over all bodies. Forces transverse to these motions are included through the deformation of the body, and a body without
+/// loads is assigned a fraction of its neighbours' forces: a remainder in a motion that nothing drives is their round-off. Local; the same
+/// on all ranks.
+/// \param force    forces of each pair: normal, and tangential if laws restrict sliding
 /// \param energy   U.S U of each part, twice its deformation energy
-/// \param largest  the largest that it has had in the run; sets what counts as rounding
+/// \param largest  its largest value in the run; sets the round-off level
 double bodyImbalance(const ContactBodies& bodies, const Matrix& force, const Vector& energy, const Vector& largest);
 
-/// Norm of the residual of the body that has the largest beside its own energy.
+/// Largest residual norm of a body relative to its own energy.
 /// \param own    product r.M r of each part
-/// \param least  lower bound of the energy of each part that counts, twice
+/// \param least  lower bound of the energy of each part, twice
 double bodyResidual(const Vector& own, const Vector& energy, const Vector& largest, const Vector& least);
-/// Products r.M r, summed by part. Collective.
+/// Products r.M r per part. Collective.
 Vector productsByPart(const ContactSets& sets, const Preconditioner& preconditioner, const MultiVector& r);
 
 }  // namespace suture

@@ -10,10 +10,11 @@
 namespace suture {
 
 Schema Chord::schema() {
-  Schema schema("Fixed matrix with all pairs closed; the energy falls in every step.");
-  schema.real("Inner Tolerance", 1e-2, "Tolerance of each linear solve, relative to the outer residual that it starts from.",
+  Schema schema("Fixed matrix with all pairs closed; the energy decreases in every step.");
+  schema.real("Inner Tolerance", 1e-2, "Tolerance of each linear solve, relative to the outer residual at its start.",
               {0.0, 1.0, true, true, {}});
-  schema.integer("Anderson Depth", 5, "Corrections combined by Anderson acceleration; 0 for none.", Range{0.0, 100.0, false, false, {}});
+  schema.integer("Anderson Depth", 5, "Number of corrections combined by Anderson acceleration; 0: none.",
+                 Range{0.0, 100.0, false, false, {}});
   return schema;
 }
 

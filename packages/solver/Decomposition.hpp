@@ -7,8 +7,8 @@
 
 namespace suture {
 
-/// The method by domain decomposition: subdomains are assembled and eliminated to their boundaries, the problem of the scene's formulation
-/// on the interface is solved by its outer solver, interiors follow.
+/// Solution by domain decomposition: subdomains are assembled and condensed to their boundaries, the outer solver solves the interface
+/// problem of the scene's formulation, and the interiors are recovered.
 class Decomposition : public Method {
  public:
   bool needsWholeMesh() const override { return false; }
@@ -28,7 +28,7 @@ class Decomposition : public Method {
  private:
   Subdomains subdomains_;
   std::unique_ptr<InterfaceProblem> problem_;
-  Teuchos::RCP<Preconditioner> preconditioner_;  // that of the last load step; null without load steps
+  Teuchos::RCP<Preconditioner> preconditioner_;  // of the last load step; null without load steps
 };
 
 }  // namespace suture

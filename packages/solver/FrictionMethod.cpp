@@ -11,15 +11,15 @@ namespace suture {
 
 namespace {
 
-constexpr int kFrictionless = 2;  // solves of the frictionless start at most: it is a guess
+constexpr int kFrictionless = 2;  // maximum number of solves of the frictionless start, which is a guess
 
-/// True if rigid bodies are in equilibrium without friction, and in no place but one.
+/// True if rigid bodies have a unique equilibrium without friction.
 bool holdsWithoutFriction(const RigidContact& rigid) {
   if (rigid.loose(ClosedSet(static_cast<std::size_t>(rigid.pairs()), 1)).cols() > 0) return false;
   return rigid.project(rigid.data().penetration).found;
 }
 
-/// Pairs that rigid bodies close on pads which hold them along the tangents, too: all stick.
+/// Pairs closed by rigid bodies on pads with tangential stiffness, all sticking.
 PairStates stickingStart(const RigidContact& rigid, const FrictionStates& friction) {
   const RigidContact::Pairs& data = rigid.data();
   const auto tangents = static_cast<Eigen::Index>(data.tangents.size());
@@ -55,7 +55,7 @@ PairStates stickingStart(const RigidContact& rigid, const FrictionStates& fricti
   return states;
 }
 
-/// States by the slips of a solution without friction: it takes about the force on a rigid body's pad to push each pair back.
+/// States from the slips of a frictionless solution; the force that reverses the slip of a pair is estimated by the stiffness of its pad.
 PairStates statesBySlip(const RigidContact& rigid, const FrictionStates& friction, PairStates states, const PairValues& values) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -73,8 +73,8 @@ PairStates statesBySlip(const RigidContact& rigid, const FrictionStates& frictio
   return states;
 }
 
-/// Search by the ways of FrictionSearch: of problems that take bounds in place of a law, and of few pairs whose law jumps (cohesion is
-/// lost where a pair opens), by pivots.
+/// Search by the methods of FrictionSearch, for problems with bounds in place of a law, and (by pivots) for few pairs with a discontinuous
+/// law (cohesion is lost when a pair opens).
 FrictionSearch::Result searchOtherwise(OuterSolver::Run& run, FrictionSolves& solves, double innerTolerance, int most) {
   const FrictionStates& friction = *run.problem.friction();
   const ContactSets& sets = *run.problem.sets();
@@ -128,20 +128,20 @@ void searchFriction(OuterSolver::Run& run, double innerTolerance) {
   if (!found.converged && found.slides.size() == 0 && solves.goesOn() && found.solves < run.settings.maximumIterations)
     found = searchOtherwise(run, solves, innerTolerance, run.settings.maximumIterations);
   run.result.state.status = friction.statusOf(found.states);
-  if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // failure of a try before
+  if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // failure of an earlier attempt
   if (found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;
   if (found.converged) {
     run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
     if (run.atFloor) {
       std::ostringstream text;
       text.precision(2);
-      text << std::scientific << "rounding ends the iterations at a residual of " << run.result.residual << ", above the tolerance of "
-           << run.settings.tolerance << ": the precision of this run holds no more digits of this scene";
+      text << std::scientific << "the residual stagnates at round-off: " << run.result.residual << ", above the tolerance of "
+           << run.settings.tolerance << "; this scene cannot be solved more accurately in this precision";
       run.monitor.note(text.str());
     }
     if (found.contraction >= 1.0)
-      run.monitor.note("friction: the fixed point of Tresca problems contracts by " + std::to_string(found.contraction) +
-                       ": the solution may not be unique");
+      run.monitor.note("friction: Coulomb fixed-point factor " + std::to_string(found.contraction) +
+                       " >= 1: the solution may not be unique");
     return;
   }
   run.result.slides = found.slides;

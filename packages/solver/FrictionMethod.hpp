@@ -3,10 +3,10 @@
 
 namespace suture {
 
-/// Contact with friction by FrictionSearch, for the problem's FrictionStates. Without a start of its own it begins with a loose solution
-/// without friction, where that exists, and a Tresca problem by its normal forces; else with what rigid bodies on pads that also hold along
-/// the tangents press together, all of it sticking. Collective.
-/// \param innerTolerance  of linear solves until the states stay
+/// Frictional contact by FrictionSearch, for the problem's FrictionStates. Without a given start it begins with a rough frictionless
+/// solution, if there is one, and a Tresca problem with its normal forces; otherwise with all pairs sticking that are pressed together by
+/// rigid bodies on pads with tangential stiffness. Collective.
+/// \param innerTolerance  of linear solves until the states no longer change
 void searchFriction(OuterSolver::Run& run, double innerTolerance);
 
 }  // namespace suture

@@ -12,11 +12,11 @@
 namespace suture {
 
 namespace {
-constexpr int kTakenUp = 4;          // times that a solve is taken up again because its solution is smaller than was thought
-constexpr double kTooLarge = 2.0;    // ratio of the energy norm that was thought to that of the solution, from which on it is too large
-constexpr int kBegunAnew = 4;        // most new beginnings of a solve whose residual, found anew, is larger than it said
-constexpr double kBodies = 4.0;      // times the tolerance of the whole: residual of a body beside its own energy that is taken
-constexpr double kNoProgress = 0.5;  // part of a residual that a new beginning leaves where rounding ends it
+constexpr int kTakenUp = 4;          // maximum number of further solves because the solution is smaller than assumed
+constexpr double kTooLarge = 2.0;    // ratio of assumed to actual energy norm of the solution that is too large
+constexpr int kBegunAnew = 4;        // maximum number of restarts of a solve whose true residual is larger than reported
+constexpr double kBodies = 4.0;      // accepted residual of a body relative to its own energy, in units of the global tolerance
+constexpr double kNoProgress = 0.5;  // residual reduction by a restart above which it stagnates at round-off
 }  // namespace
 
 FrictionSolves::FrictionSolves(OuterSolver::Run& run, double inner)
@@ -42,8 +42,8 @@ bool FrictionSolves::linear(InterfaceState& state, double tolerance, InnerResult
   applications += run_.problem.conform(state);
   const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
   precondition(linear.matrix);
-  // The energy norm of the solution is at least that of what is to be added to the trace, less the trace's own: the solution of before
-  // may have been nothing but rounding, as where all pairs stick and what is prescribed does all.
+  // The energy norm of the solution is at least that of the correction minus that of the trace. The previous solution may be only
+  // round-off, for example if all pairs stick and the prescribed displacements cause all the motion.
   reference_ = std::max(reference_, preconditionedNorm(*run_.preconditioner, *linear.load) - energyNorm(state));
   const MultiVectorPtr step = run_.problem.space()->vector();
   InnerResult more;
@@ -74,7 +74,7 @@ FrictionAnswer FrictionSolves::answerOf(const PairValues& values, const PairStat
   ClosedSet closed;
   for (const ContactState& state : states) closed.push_back(state.closed());
   const Vector size = values.force.rowwise().norm();
-  // Where nothing acts, forces are rounding of displacements.
+  // Without loads, forces are round-off of displacements.
   answer.forceTolerance = (std::max(resolution, kGapDigits) * rigid.clusterScale(closed, size))
                               .cwiseMax(values.digits.cwiseQuotient(rigid.compliance()))
                               .cwiseMax(std::max(1.0, nothing_ / kRoundedForce) * rigid.rounding());
@@ -82,7 +82,7 @@ FrictionAnswer FrictionSolves::answerOf(const PairValues& values, const PairStat
   return answer;
 }
 
-/// Residual of the whole; `largest` gets that of a body, or its imbalance, if that is larger beside what the body has of its own.
+/// Global residual; `largest` becomes the largest of this, the residuals of bodies relative to their own energy, and their imbalance.
 double FrictionSolves::norm(const PairValues& values, const InterfaceState& state, double& largest) {
   const Vector energy = sets_.energies(state).cwiseMax(0.0), own = productsByPart(sets_, *run_.preconditioner, *values.residual);
   ofParts_ = ofParts_.size() > 0 ? Vector(ofParts_.cwiseMax(energy)) : energy;
@@ -104,11 +104,11 @@ FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance)
     int applications = 0;
     double residual = 0.0, before = 0.0;
     PairValues values;
-    double sharper = 1.0;  // part of the tolerance that makes the residual of each body small beside its own energy
+    double sharper = 1.0;  // factor on the tolerance for a small residual of each body relative to its own energy
     for (int pass = 0;; ++pass) {
       bool solved = linear(state, sharper * tolerance, cost, applications);
       for (int again = 0; solved && again < kTakenUp; ++again) {
-        // The solution of some states may have no energy (a body that moves as a whole): it is known well enough beside what others had.
+        // The solution of some states may have no energy (a body in rigid motion): the largest energy so far is the scale then.
         const double found = energyNorm(state), negligible = std::max(tolerance, kNegligibleEnergyNorm / final) * largest_,
                      own = std::max(found, negligible);
         nothing_ = found < negligible ? tolerance * negligible / largest_ : 0.0;
@@ -128,7 +128,7 @@ FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance)
         return answer;
       }
       residual = cost.residual;
-      if (tolerance <= final) {  // confirmed by the operator itself
+      if (tolerance <= final) {  // confirm by applying the operator
         state.memory.reset();
         sets_.separate(state);
         applications += sets_.remember(state);

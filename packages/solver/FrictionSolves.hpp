@@ -4,9 +4,9 @@
 
 namespace suture {
 
-/// The linear problems of given states of contact with friction on the interface: what FrictionSearch asks of a formulation. Conjugate
-/// gradients where the tangent is symmetric (stick, Tresca), GMRES where normal forces drag (Coulomb), both with the symmetric
-/// preconditioner of the space. Tolerances are relative to the energy norm of the solution. Collective.
+/// Linear solver of FrictionSearch for given states of frictional contact on the interface: conjugate gradients for symmetric tangents
+/// (stick, Tresca), GMRES if tangential forces depend on normal ones (Coulomb), both with the symmetric preconditioner of the space.
+/// Tolerances are relative to the energy norm of the solution. Collective.
 class FrictionSolves : public FrictionOracle {
  public:
   /// \param inner  tolerance of the loosest solves
@@ -30,9 +30,9 @@ class FrictionSolves : public FrictionOracle {
   const ContactSets& sets_;
   const double inner_;
   PairStates last_;
-  Vector ofParts_;                          // largest energies of the parts, twice
-  double reference_ = 0.0, largest_ = 0.0;  // energy norms: of the last solution, the largest of all
-  double nothing_ = 0.0;                    // part of the path's forces that the last solution's are known to, if it has no more
+  Vector ofParts_;                          // twice the largest energies of the parts
+  double reference_ = 0.0, largest_ = 0.0;  // energy norms: of the last solution, and the largest one
+  double nothing_ = 0.0;  // accuracy of the forces of a last solution with negligible energy, relative to the forces of the path
 };
 
 }  // namespace suture

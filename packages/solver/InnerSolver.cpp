@@ -19,7 +19,7 @@ namespace suture {
 
 namespace {
 
-// Ritz values come down to the smallest eigenvalue from above, the error bound wants to be below it.
+// Ritz values are above the smallest eigenvalue, but the error bound needs a value below it.
 constexpr double kBelowRitz = 0.98;
 
 double lowestEigenvalue(const RitzValues& ritz, double known) {
@@ -37,16 +37,16 @@ double residualNorm(const ConjugateGradients& cg) {
   return std::sqrt(std::max(dot(*state.R, *state.Z), 0.0));
 }
 
-/// Stops on sqrt(r.z), z = M^-1 r, which the iteration has anyway. Keeps norms and steps of all iterations.
+/// Stops on sqrt(r.z), z = M^-1 r, which the iteration computes anyway. Stores norms and steps of all iterations.
 class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Operator> {
  public:
-  /// Demands of one call.
+  /// Stopping criteria of one call.
   struct Aim {
     double tolerance, reference;
-    int last;  ///< iteration at most
+    int last;  ///< last iteration allowed
     Monitor& monitor;
     const EnergyCriterion& energy;
-    std::function<const MultiVector&()> x;  ///< that the criterion is asked about
+    std::function<const MultiVector&()> x;  ///< vector passed to the criterion
   };
 
   void aimAt(const Aim& aim) {
@@ -57,7 +57,7 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
   Belos::StatusType checkStatus(Iteration* iteration) override {
     auto& cg = dynamic_cast<ConjugateGradients&>(*iteration);
     const auto k = static_cast<std::size_t>(iteration->getNumIters());
-    if (norms.size() == k) {  // else the iterations are gone on with, and this one is known
+    if (norms.size() == k) {  // else the solve was resumed, and this iteration is already recorded
       norms.push_back(residualNorm(cg));
       if (k > 0) {
         // The Lanczos matrix has 1 / step_k + b_(k-1) / step_(k-1) on its diagonal, b the ratio of successive squared norms.
@@ -74,7 +74,7 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
         const std::vector<double> errors = energyErrors(norms, steps, lowest);
         converged = enough = aim_->energy.enough(errors.front(), errors.back(), aim_->x());
       }
-    // NaN stays NaN: stop, and let the caller see.
+    // Stop on NaN; the caller checks the residual.
     status_ = converged || !std::isfinite(relative) || iteration->getNumIters() >= aim_->last ? Belos::Passed : Belos::Failed;
     return status_;
   }
@@ -92,7 +92,7 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
 
 }  // namespace
 
-/// Conjugate gradients between two calls. What Belos needs lives as long as it.
+/// State of conjugate gradients between two calls, including all objects that Belos refers to.
 struct InnerSolver::Solve {
   MultiVectorPtr x;
   Teuchos::RCP<Belos::LinearProblem<double, MultiVector, Operator>> problem;
@@ -120,13 +120,13 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
   made->x = preconditioner->space()->vector();
   const auto right = Teuchos::rcp(new MultiVector(b, Teuchos::Copy));
   made->problem = Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, made->x, right));
-  made->problem->setInitResVec(right);  // x = 0: the residual is b, and need not be found by applying the operator
+  made->problem->setInitResVec(right);  // x = 0: the residual is b, without applying the operator
   made->problem->setProblem();
-  made->problem->setLeftPrec(preconditioner);  // now: setProblem() would apply it to the residual, and the iteration does so again
+  made->problem->setLeftPrec(preconditioner);  // after setProblem(), which would apply it to the residual, as the iteration does again
   made->problem->setLSIndex({0});
 
   Teuchos::ParameterList options;
-  options.set("Max Size For Condest", 2 * most_);  // canGoOn() sees to it that there are no more
+  options.set("Max Size For Condest", 2 * most_);  // canGoOn() ensures that there are no more
   options.set("Assert Positive Definiteness", true);
   const auto output = Teuchos::rcp(new Belos::OutputManager<double>(Belos::Errors));
   made->iteration = std::make_unique<ConjugateGradients>(made->problem, output, made->test, options);
@@ -136,7 +136,7 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
   made->iteration->initializeCG(start);
 
   const double norm = residualNorm(*made->iteration);
-  if (!std::isfinite(norm)) throw NumericalError("the inner solver was given a right-hand side that is no number");
+  if (!std::isfinite(norm)) throw NumericalError("the right-hand side of the inner solver is not finite");
   if (reference <= 0.0) reference = norm;
   if (norm == 0.0 || norm / reference <= tolerance) {
     InnerResult result;
@@ -155,7 +155,7 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
 bool InnerSolver::canGoOn() const { return solve_ && solve_->iteration->getNumIters() <= most_; }
 
 InnerResult InnerSolver::goOn(MultiVector& x, double tolerance, double reference, Monitor& monitor, const EnergyCriterion& energy) {
-  if (!canGoOn()) throw InternalError("there is no inner solve to go on with");
+  if (!canGoOn()) throw InternalError("there is no inner solve to resume");
   return iterate(x, tolerance, reference > 0.0 ? reference : solve_->norm, monitor, energy);
 }
 

@@ -22,7 +22,7 @@ std::vector<SubdomainKind> subdomainKinds(const Parameters& bodies) {
 Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                           const std::vector<SubdomainKind>& kinds, bool needsLaw) {
   Subdomains subdomains;
-  std::vector<int> own;  // bodies of this rank with physics of their own
+  std::vector<int> own;  // bodies of this rank with their own physics
   collectively(comm, "making the subdomains", [&] {
     for (const SubdomainMesh& mesh : meshes) {
       const bool elastic = kinds.empty() || !kinds[mesh.body].make;
@@ -33,11 +33,12 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
   if (!needsLaw) return subdomains;
   Problems problems;
   for (const int body : unionOverRanks(comm, own))
-    problems.add("Bodies/" + model.bodies[body] + "/Subdomain",
-                 "'" + kinds[body].name +
-                     "' has physics of its own, but the scene asks for what needs the law of a material at every point: the outer solver "
-                     "Monolithic, an Exact Solution, Output/Error Estimate or the tolerance Automatic. A law of your own "
-                     "(Materials/<name>/Type) goes with all of them");
+    problems.add(
+        "Bodies/" + model.bodies[body] + "/Subdomain",
+        "'" + kinds[body].name +
+            "' has its own physics, but the scene uses a feature that needs a material law at every point: the outer solver Monolithic, "
+            "an Exact Solution, Output/Error Estimate or the tolerance Automatic. A user material law (Materials/<name>/Type) works with "
+            "all of these");
   problems.throwIfAny();
   return subdomains;
 }

@@ -19,13 +19,13 @@ namespace suture {
 
 namespace {
 
-constexpr double kProgram = 55.0;  // megabytes that it has taken already when the estimate is made
+constexpr double kProgram = 55.0;  // megabytes in use when the estimate is made
 
-// Pairs of nodes of an element, each as the part of it that is this element's: pairs inside whole, those on a side half, those on an edge
-// in space what is usual inside of meshes of hexahedra and of tetrahedra.
+// Pairs of nodes of an element, weighted by the share of this element: one inside, one half on a side, and on an edge in 3D the typical
+// value in meshes of hexahedra or tetrahedra.
 double pairsOf(Cell cell) {
   const CellInfo& info = cellInfo(cell);
-  std::map<std::pair<int, int>, int> sides;  // pair of nodes -> number of sides that have both
+  std::map<std::pair<int, int>, int> sides;  // pair of nodes -> number of sides with both
   for (const auto& nodes : info.sideNodes)
     for (const int a : nodes)
       for (const int b : nodes)
@@ -35,10 +35,10 @@ double pairsOf(Cell cell) {
   return sum;
 }
 
-// Pairs of nodes that have an element in common.
+// Number of pairs of nodes that share an element.
 double couplings(const SubdomainMesh& mesh) {
   double sum = 0.0;
-  for (std::size_t begin = 0, end = 0; begin < mesh.cells.size(); begin = end) {  // of one shape, mostly
+  for (std::size_t begin = 0, end = 0; begin < mesh.cells.size(); begin = end) {  // runs of one shape
     while (end < mesh.cells.size() && mesh.cells[end] == mesh.cells[begin]) ++end;
     sum += static_cast<double>(end - begin) * pairsOf(mesh.cells[begin]);
   }
@@ -47,9 +47,9 @@ double couplings(const SubdomainMesh& mesh) {
 
 /// Contact rows of a rank.
 struct Rows {
-  std::unordered_map<GlobalId, int> unknownsOf;  // node of the mesh -> number of its unknowns that rows name
-  double bytes = 0.0;                            // bytes of the rows in all subdomains: each has all rows of its clusters
-  double terms = 0.0, squares = 0.0;             // terms of all rows, and the sum of their squares, those of a mortar
+  std::unordered_map<GlobalId, int> unknownsOf;  // node of the mesh -> number of its unknowns in rows
+  double bytes = 0.0;                            // bytes of the rows in all subdomains; each has all rows of its clusters
+  double terms = 0.0, squares = 0.0;             // sum of the numbers of terms of mortar rows, and of their squares
 
   explicit Rows(const std::vector<SubdomainMesh>& meshes) {
     std::unordered_set<int> pairs;
@@ -70,7 +70,7 @@ struct Rows {
   }
 };
 
-/// Unknowns of a subdomain at seams, and those that contact rows name.
+/// Unknowns of a subdomain at seams and in contact rows.
 double boundaryUnknowns(const SubdomainMesh& mesh, const Rows& rows) {
   std::vector<char> counted(mesh.nodes(), 0);
   double sum = 0.0;

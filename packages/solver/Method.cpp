@@ -13,7 +13,7 @@ double Method::megabytes(const Comm&, const std::vector<SubdomainMesh>& meshes, 
 
 namespace {
 
-// A method that knows normals alone would leave it to nobody which pairs stick.
+// Methods without friction cannot decide which pairs stick.
 void checkLaws(const Method& method, const CutScene& scene) {
   Problems problems;
   for (int line = 0; line < scene.laws.size(); ++line) {
@@ -22,7 +22,7 @@ void checkLaws(const Method& method, const CutScene& scene) {
     problems.add(
         "Contact/" + scene.contacts.at(line) + "/Law",
         std::string(law.separates() ? "restricts sliding" : "never opens") +
-            ", which the outer solver or the formulation of this scene does not know; expected Formulation = Contact On The Interface "
+            ", which the outer solver or the formulation of this scene does not support; expected Formulation = Contact On The Interface "
             "with Outer Solver/Type = Active Set, Condensed Groups with Semismooth Newton, Outer Solver/Type = Monolithic, or the law " +
             Frictionless::kName);
   }
@@ -32,10 +32,10 @@ void checkLaws(const Method& method, const CutScene& scene) {
 }  // namespace
 
 void Method::prepare(const CutScene& scene, Timers& timers) {
-  if (scene_) throw InternalError("a method is prepared twice");
+  if (scene_) throw InternalError("prepare() of a method is called twice");
   if (needsWholeMesh())
     collectivelyOnRoot(*scene.comm, "preparing a method", [&] {
-      if (scene.mesh.elements() == 0) throw InternalError("a method needs the whole mesh, but rank 0 does not hold it");
+      if (scene.mesh.elements() == 0) throw InternalError("a method needs the whole mesh, but rank 0 does not have it");
     });
   checkLaws(*this, scene);
   scene_.emplace(scene);
@@ -46,12 +46,12 @@ void Method::prepare(const CutScene& scene, Timers& timers) {
 }
 
 Solution Method::solve(Monitor& monitor, Timers& timers, const Start* start, const Keep& keep) {
-  if (!isPrepared_) throw InternalError("a method solves before it is prepared");
+  if (!isPrepared_) throw InternalError("solve() of a method before prepare()");
   return timed(timers, "solve", [&] { return doSolve(monitor, start, keep); });
 }
 
 void Method::reload(Timers& timers) {
-  if (!isPrepared_ || !reloads()) throw InternalError("a method is given other loads that does not take them");
+  if (!isPrepared_ || !reloads()) throw InternalError("reload() of a method that does not support new loads");
   timed(timers, "load", [&] { doReload(); });
 }
 

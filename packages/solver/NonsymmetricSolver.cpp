@@ -18,11 +18,11 @@ namespace suture {
 
 namespace {
 
-constexpr int kRestart = 120;      // iterations that a basis of two vectors each is kept for
-constexpr double kProgress = 0.5;  // part of the residual that a new beginning leaves where rounding ends it
+constexpr int kRestart = 120;      // iterations per basis, with two stored vectors each
+constexpr double kProgress = 0.5;  // residual reduction by a restart above which it stagnates at round-off
 
-/// Vectors z = M r of Krylov spaces with the r that they come from. Their inner product is r.z: orthogonality in the norm of the
-/// preconditioner, the stopping norm, without a product with M or its inverse.
+/// Krylov vectors z = M r together with r. Their inner product is r.z: orthogonality in the norm of the preconditioner, the stopping norm,
+/// without a product with M or its inverse.
 class DualVector {
  public:
   DualVector(MultiVectorPtr residual, MultiVectorPtr preconditioned)
@@ -49,7 +49,7 @@ struct DualOperator {
 
 namespace Belos {
 
-/// Both parts at a time, but for inner products.
+/// Operations act on both parts, except inner products.
 template <>
 class MultiVecTraits<double, suture::DualVector> {
   using Vectors = suture::DualVector;
@@ -83,10 +83,10 @@ class MultiVecTraits<double, suture::DualVector> {
     return Teuchos::rcp(new Vectors(PartTraits::CloneViewNonConst(mv.r(), index), PartTraits::CloneViewNonConst(mv.z(), index)));
   }
   static Teuchos::RCP<const Vectors> CloneView(const Vectors& mv, const std::vector<int>& index) {
-    return CloneViewNonConst(const_cast<Vectors&>(mv), index);  // NOLINT: a view for reading
+    return CloneViewNonConst(const_cast<Vectors&>(mv), index);  // NOLINT: read-only view
   }
   static Teuchos::RCP<const Vectors> CloneView(const Vectors& mv, const Teuchos::Range1D& index) {
-    return CloneViewNonConst(const_cast<Vectors&>(mv), index);  // NOLINT: a view for reading
+    return CloneViewNonConst(const_cast<Vectors&>(mv), index);  // NOLINT: read-only view
   }
   static ptrdiff_t GetGlobalLength(const Vectors& mv) { return PartTraits::GetGlobalLength(mv.r()); }
   static int GetNumberVecs(const Vectors& mv) { return PartTraits::GetNumberVecs(mv.r()); }
@@ -161,7 +161,7 @@ InnerResult solveNonsymmetric(const Teuchos::RCP<const Operator>& matrix, const 
   const auto right = Teuchos::rcp(new DualVector(copy(), nothing()));
   preconditioner->apply(right->r(), right->z());
   const double norm = std::sqrt(std::max(dot(right->r(), right->z()), 0.0));
-  if (!std::isfinite(norm)) throw NumericalError("the inner solver was given a right-hand side that is no number");
+  if (!std::isfinite(norm)) throw NumericalError("the right-hand side of the inner solver is not finite");
   InnerResult result;
   result.reference = reference > 0.0 ? reference : norm;
   result.residual = norm > 0.0 ? norm / result.reference : 0.0;
@@ -171,7 +171,7 @@ InnerResult solveNonsymmetric(const Teuchos::RCP<const Operator>& matrix, const 
     return result;
   }
   const auto operation = Teuchos::rcp(new DualOperator{*matrix, *preconditioner});
-  // Rounding of a preconditioner in single precision is in the basis: the residual is found anew, and what is left solved for.
+  // The basis contains the round-off of a single-precision preconditioner: recompute the residual and solve for the remainder.
   for (double before = 0.0; result.pcg < most; before = result.residual) {
     const auto answer = Teuchos::rcp(new DualVector(nothing(), nothing()));
     const auto problem = Teuchos::rcp(new Problem(operation, answer, right));

@@ -8,23 +8,23 @@
 
 namespace suture {
 
-/// Figures of a solver about its own work, the same for the result of an outer solver and for the answer of a run.
+/// Solver statistics, common to the result of an outer solver and the solution of a run.
 struct OuterFigures {
   bool converged = false;
-  bool stopped = false;       ///< on request, before it converged
-  std::string failure;        ///< why not
+  bool stopped = false;       ///< stopped on request before convergence
+  std::string failure;        ///< why it did not converge
   int iterations = 0;         ///< outer iterations
-  int pcgTotal = 0;           ///< PCG steps of the outer iterations, failed ones included, without the auxiliary ones
-  int otherApplications = 0;  ///< applications among them that no step of conjugate gradients made: residuals, gaps closed
-  double residual = 0.0;      ///< at the end, in the stopping norm
-  double energyError = -1.0;  ///< algebraic error at the end in the energy norm, estimated; negative: not known
-  std::optional<DiscretisationError> discretisation;  ///< estimated, if the scene or an automatic tolerance asks for it
-  AuxiliaryRow auxiliary;                             ///< all pairs closed, or the linear problem itself
+  int pcgTotal = 0;           ///< PCG steps of the outer iterations, including failed ones, without the auxiliary problem
+  int otherApplications = 0;  ///< of these, operator applications outside conjugate gradients: residuals, closing gaps
+  double residual = 0.0;      ///< final residual in the stopping norm
+  double energyError = -1.0;  ///< estimated final algebraic error in the energy norm; negative: unknown
+  std::optional<DiscretisationError> discretisation;  ///< estimated, if the scene or an automatic tolerance requires it
+  AuxiliaryRow auxiliary;                             ///< problem with all pairs closed, or the linear problem itself
   int coarseSize = 0;                                 ///< dimension of the preconditioner's coarse problem
-  double lowestEigenvalue = -1.0;                     ///< lowest Ritz value of M^-1 S in all linear solves; negative: none was made
-  double setupSeconds = 0.0;                          ///< time that the preconditioner took on this rank before its first use
-  double bytesRead = 0.0;                   ///< bytes of this rank's memory that one conjugate gradient iteration reads, as far as known
-  std::map<std::string, int> chosenSchur;   ///< local problems over all ranks, by how Automatic keeps their Schur complements
+  double lowestEigenvalue = -1.0;                     ///< lowest Ritz value of M^-1 S in all linear solves; negative: none
+  double setupSeconds = 0.0;                          ///< setup time of the preconditioner on this rank before its first use
+  double bytesRead = 0.0;                             ///< known bytes of this rank's memory read per conjugate gradient iteration
+  std::map<std::string, int> chosenSchur;   ///< number of local problems over all ranks, by the Schur complement chosen by Automatic
   std::map<std::string, double> estimates;  ///< figures of the method: "mu", "contraction bound", "radius", "relaxation", ...
 };
 

@@ -20,8 +20,8 @@ constexpr double kTangentTolerance = 0.1;
 
 double euclidean(const MultiVector& x) { return std::sqrt(dot(x, x)); }
 
-/// Moves the lifted start of a linear problem along the way to an earlier solution, to where the energy on it is least: loads that grow
-/// together are solved then. Returns the residual there. \param lifted  linearisation at the state; of one application of its operator
+/// Moves the lifted start of a linear problem along the line to an earlier solution, to the minimum of the energy. For proportionally
+/// scaled loads this is the solution. Returns the residual there. Applies the operator once. \param lifted  linearisation at the state
 MultiVectorPtr startOnTheWayTo(const InterfaceState& earlier, const InterfaceProblem& problem,
                                const InterfaceProblem::Linearisation& lifted, InterfaceState& state) {
   const MultiVectorPtr way = problem.space()->vector(), image = problem.space()->vector(), residual = problem.space()->vector();
@@ -62,7 +62,7 @@ void OuterSolver::Run::learn(const InnerResult& solve) {
 
 double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual,
                                               InnerResult& cost) {
-  // Tangents are softer than the operators of these methods: the error is larger than this.
+  // Tangents are softer than the operators of these methods, so the error is larger than this bound.
   if (!automatic.within(energyBound(residual)) || at.changed > 0) return -1.0;
   InterfaceState there = state;
   there.status = at.next;
@@ -73,7 +73,7 @@ double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const
     cost.pcg += solve.pcg;
     return solve.converged && !solve.energyErrors.empty() ? solve.energyErrors.front() : -1.0;
   } catch (const NumericalError&) {
-    return -1.0;  // a singular tangent: what is loose may be anywhere
+    return -1.0;  // singular tangent: the position of loose parts is arbitrary
   }
 }
 
@@ -153,13 +153,13 @@ void OuterSolver::Run::describe(const InterfaceOperator& matrix) {
 OuterResult OuterSolver::conclude(Run& run) {
   OuterResult& result = run.result;
   result.converged = run.done() || run.solved;
-  if (!run.preconditioner.is_null()) result.coarseSize = run.preconditioner->coarseSize();  // sets change it
+  if (!run.preconditioner.is_null()) result.coarseSize = run.preconditioner->coarseSize();  // it changes with the sets
   if (run.done() && result.residual > run.settings.tolerance) run.monitor.note(run.reason());
   if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
   if (!result.converged && result.failure.empty())
     result.failure =
         "the tolerance was not reached within " + std::to_string(result.iterations) + " outer iterations" +
-        (result.iterations < run.settings.maximumIterations ? ", fewer than allowed: no other contact states were left to try" : "");
+        (result.iterations < run.settings.maximumIterations ? ", fewer than allowed: there were no more contact states to try" : "");
   return std::move(result);
 }
 
@@ -185,7 +185,8 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   if (rubs && !bySets)
     throw InputError(
         "Outer Solver/Type",
-        "a method without friction, which a Law of this scene has; expected 'Active Set', or 'Semismooth Newton' with Condensed Groups");
+        "the method does not support friction, which a Law of this scene has; expected 'Active Set', or 'Semismooth Newton' with Condensed "
+        "Groups");
   const bool startsItself = bySets && (given || settings.rigidStart || !wantsAuxiliary());
   result.state = given && contact                               ? *given
                  : startsItself && settings.rigidStart && !rubs ? problem.sets()->padState()
@@ -193,7 +194,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   run.reported = result.state.status;
   run.given = given != nullptr;
   const int lifting = result.state.applications;
-  if (problem.space()->size() == 0 && !rubs) {  // one subdomain a body: the local problems are the whole problem
+  if (problem.space()->size() == 0 && !rubs) {  // one subdomain per body: the local problems are the whole problem
     result.converged = true;
     return result;
   }
@@ -201,7 +202,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   run.preconditioner = settings.preconditioner();
   if (startsItself) {
     result.auxiliary.contact = true;
-    run.evaluation.settled = false;  // nothing is known yet
+    run.evaluation.settled = false;  // not evaluated yet
     doSolve(run);
     return conclude(run);
   }
@@ -238,7 +239,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
           "the auxiliary problem did not reach its tolerance within " + std::to_string(settings.maximumInnerIterations) + " iterations";
       return result;
     }
-    if (!contact) {  // linear: this is the solution, and no contact loop is entered
+    if (!contact) {  // linear: this is the solution
       result.converged = true;
       if (auxiliary.enough) {
         monitor.note(run.reason());
@@ -262,7 +263,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   result.otherApplications += run.evaluation.applications;
   result.residual = run.norm(run.evaluation);
   result.state.status = run.evaluation.next;
-  // The error of the auxiliary solution is known as long as all pairs stay closed.
+  // The error of the auxiliary solution remains valid as long as all pairs stay closed.
   if (run.evaluation.changed > 0 || given) result.energyError = run.energyBound(result.residual);
   run.confirm();
   if (!run.done()) doSolve(run);

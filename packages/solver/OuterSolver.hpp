@@ -15,46 +15,47 @@
 
 namespace suture {
 
-/// Settings of every outer solver.
+/// Settings common to all outer solvers.
 struct OuterSettings {
   double tolerance = 1e-8;  ///< bound of sqrt(r.M r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
   int maximumIterations = 50;
   int maximumInnerIterations = 1000;
-  std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes one of the scene's kind, or gives that of a solution before
-  bool rigidStart = true;  ///< methods that start themselves: from rigid bodies on pads; else with all pairs closed
-  AutomaticTolerance::Estimate discretisationError = {};  ///< set: iterations may end before `tolerance`, see AutomaticTolerance
-  /// Told the state of every outer iteration but the last, on all ranks: where a run could go on. Collective.
+  std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes one of the scene's kind, or returns that of an earlier solution
+  bool rigidStart = true;                                 ///< methods with their own start: rigid bodies on pads; else all pairs closed
+  AutomaticTolerance::Estimate discretisationError = {};  ///< if set, iterations may end before `tolerance`, see AutomaticTolerance
+  /// Called on all ranks with the state of every outer iteration except the last, for restarts. Collective.
   std::function<void(const InterfaceState&)> accepted = {};
 };
 
 struct OuterResult : OuterFigures {
   InterfaceState state;
-  Vector slides;                            ///< motion of bodies that friction does not hold, where it did not converge; else empty
-  double multiple = 0.0;                    ///< of friction, that would hold them; 0: not known
-  std::vector<int> unsettled;               ///< pairs that changed between the last two sets, where it did not converge
-  AutomaticTolerance::Recovered recovered;  ///< from the state, where an automatic tolerance needed it; else null
+  Vector slides;                            ///< motion of bodies that friction does not hold, if not converged; else empty
+  double multiple = 0.0;                    ///< factor on friction that would hold these bodies; 0: unknown
+  std::vector<int> unsettled;               ///< pairs that changed between the last two sets, if not converged
+  AutomaticTolerance::Recovered recovered;  ///< from the state, if an automatic tolerance needed it; else null
 };
 
-/// Solves an InterfaceProblem of which it knows nothing else. The shell solves the auxiliary problem (20)-(21), all pairs closed, from
-/// which all methods start, owns the stopping norm and reports; a method is written in doSolve(). Strategies: Semismooth Newton, Chord,
-/// Successive Approximation; a user adds his own through Registry<OuterSolver>. Collective.
+/// Solver of an InterfaceProblem, independent of the formulation behind it. The base class solves the auxiliary problem (20)-(21), all
+/// pairs closed, from which all methods start, computes the stopping norm and reports; a method implements doSolve(). Strategies: Active
+/// Set, Semismooth Newton, Chord, Successive Approximation; Registry<OuterSolver> adds user strategies. Collective.
 class OuterSolver {
  public:
   static const char* kind() { return "outer solver"; }
   virtual ~OuterSolver() = default;
 
-  /// True if it can solve the problems of a formulation; of a user's own it is believed. Local.
+  /// True if it can solve the problems of a formulation; the default trusts a user's method. Local.
   virtual bool solves(const Formulation&) const { return true; }
 
-  /// True if it finds the states of pairs with friction. Local.
+  /// True if it supports pairs with friction. Local.
   virtual bool knowsFriction() const { return false; }
 
-  /// \throws NumericalError  breakdown; not for a mere lack of convergence, which the result says.
-  /// \param start  where to begin instead of the auxiliary solution (a restart), or null; a linear problem begins on the way to it
+  /// \throws NumericalError  breakdown; lack of convergence is only reported in the result
+  /// \param start  initial state instead of the auxiliary solution (a restart), or null; a linear problem starts at the minimum of the
+  /// energy on the line to it
   OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
                     const InterfaceState* start = nullptr) const;
 
-  /// Data of a method while it runs.
+  /// Data of a running method.
   struct Run {
     const InterfaceProblem& problem;
     const OuterSettings& settings;
@@ -66,54 +67,54 @@ class OuterSolver {
     double referenceEuclidean = 0.0;
     double begin = 0.0;  ///< seconds
     OuterResult& result;
-    ContactStates reported;                   ///< states of the last row, from which `changed` counts; at first all closed
-    InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
+    ContactStates reported;                   ///< states of the last row, reference for `changed`; initially all closed
+    InterfaceProblem::Evaluation evaluation;  ///< at result.state, with the status of the evaluation
     AutomaticTolerance automatic;
     bool fromAuxiliary = false;         ///< a method by sets starts from the auxiliary solution
-    ContactStates preconditioned = {};  ///< states that the preconditioner was made for then
-    bool given = false;                 ///< the start is one to go on from
-    bool solved = false;   ///< a method that finds the set of closed pairs itself has found it, and the residual is small enough
-    bool atFloor = false;  ///< rounding hides what the tolerance asks for beyond result.residual
-    double lowest = 0.0;   ///< smallest eigenvalue of M^-1 S that a linear solve met, 0 before the first
+    ContactStates preconditioned = {};  ///< in that case, states for which the preconditioner was made
+    bool given = false;                 ///< the start is a given state
+    bool solved = false;                ///< a method by sets has found the set of closed pairs, and the residual is small enough
+    bool atFloor = false;               ///< the residual stagnates at round-off above the tolerance
+    double lowest = 0.0;                ///< smallest eigenvalue of M^-1 S in the linear solves so far; 0 before the first
 
     /// Relative residual of an evaluation.
     double norm(const InterfaceProblem::Evaluation& at) const;
-    /// Takes over a new point: evaluates nothing; updates status, result.residual and reports a row.
-    /// \param energyError  algebraic error in the energy norm; negative: not known
+    /// Accepts a new iterate without evaluating it: updates status and result.residual, and reports a row.
+    /// \param energyError  algebraic error in the energy norm; negative: unknown
     void accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step,
                 double energyError);
     bool done() const;
-    /// Where an automatic tolerance may end the iterations: estimates, unless that was done, after which it may not. Collective.
+    /// Estimates the discretisation error if an automatic tolerance may end the iterations and the estimate is not up to date. Collective.
     void confirm();
-    /// Fills in what the result says of the preconditioner and the operator it was first made for. Collective.
+    /// Fills in the figures of the preconditioner and of its first operator in the result. Collective.
     void describe(const InterfaceOperator& matrix);
-    bool described = false;  ///< that was done
-    /// Remembers the smallest eigenvalue that a solve met.
+    bool described = false;  ///< describe() was called
+    /// Records the smallest eigenvalue of a solve.
     void learn(const InnerResult& solve);
-    /// Estimate of the algebraic error in the energy norm from a residual: sqrt(r.M r / lowest). An upper bound where the operator at the
-    /// solution is the one whose eigenvalues were met. Negative: not known.
+    /// Estimate of the algebraic error in the energy norm from a residual: sqrt(r.M r / lowest). An upper bound if these eigenvalues are
+    /// those of the operator at the solution. Negative: unknown.
     double energyBound(double residual) const { return lowest > 0.0 ? residual * reference / std::sqrt(lowest) : -1.0; }
-    /// The algebraic error in the energy norm, found with the tangent there: for methods that do not solve with it. Only where it may
-    /// decide (else negative: not known), since it costs a few iterations, which are added to the step's. Collective.
+    /// The algebraic error in the energy norm by the tangent at a state, for methods that do not solve with the tangent. It costs a few
+    /// iterations, which are added to `cost`, and is computed only if it may end the iterations (otherwise negative: unknown). Collective.
     double energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual, InnerResult& cost);
-    /// Why the automatic tolerance ended the iterations, for the user.
+    /// Message why the automatic tolerance ended the iterations.
     std::string reason() const;
-    /// True if somebody asked to stop. Collective.
+    /// True if a stop was requested. Collective.
     bool stopRequested();
-    /// True while not converged, not at the iteration limit and not asked to stop. Collective.
+    /// True while not converged, below the iteration limit and without a stop request. Collective.
     bool goesOn();
   };
 
  protected:
-  /// True for a method that works by sets of closed pairs (InterfaceProblem::sets()) and measures residuals itself: doSolve() then begins
-  /// with the state to start from in run.result.state, not evaluated. Where that is the auxiliary solution (wantsAuxiliary() and
-  /// Start = Bilateral), run.fromAuxiliary holds, and there is a preconditioner; else there is none.
+  /// True for a method that works by sets of closed pairs (InterfaceProblem::sets()) and measures residuals itself. doSolve() then finds
+  /// its initial state in run.result.state, not evaluated. If this is the auxiliary solution (wantsAuxiliary() and Start = Bilateral),
+  /// run.fromAuxiliary is true and the preconditioner exists; otherwise there is no preconditioner yet.
   virtual bool worksBySets() const { return false; }
-  /// True if Start = Bilateral means the auxiliary solution; else the state with all pairs closed, not solved.
+  /// True if Start = Bilateral means the auxiliary solution; else it is the unsolved state with all pairs closed.
   virtual bool wantsAuxiliary() const { return true; }
-  /// From the auxiliary solution in run.result.state, evaluated, until run.done() or given up with run.result.failure.
+  /// Iterates from the evaluated auxiliary solution in run.result.state until run.done() or failure (run.result.failure).
   virtual void doSolve(Run& run) const = 0;
-  /// Tolerance of the auxiliary problem that the method starts from.
+  /// Tolerance of the auxiliary problem.
   virtual double auxiliaryTolerance(const OuterSettings& settings) const = 0;
 
  private:

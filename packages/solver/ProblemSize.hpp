@@ -8,7 +8,7 @@ namespace suture {
 
 /// Sizes of the discrete problem, for the console and summary.json; the same on all ranks.
 struct ProblemSize {
-  GlobalId nodes = 0, elements = 0, dofs = 0;  ///< sizes of the mesh; dofs: free ones
+  GlobalId nodes = 0, elements = 0, dofs = 0;  ///< sizes of the mesh; dofs: only free ones
   GlobalId interfaceDofs = 0;                  ///< unknowns of the interface problem
   int subdomains = 0, groups = 0;
   int pairs = 0, pieces = 0;

@@ -10,10 +10,11 @@ namespace suture {
 
 Schema SemismoothNewton::schema() {
   Schema schema("Newton's method on the condensed contact problem.");
-  schema.real("Inner Tolerance", 1e-2,
-              "Tolerance of linear solves until the set of closed pairs stays, relative to the energy norm of the solution; of the "
-              "auxiliary problem, relative to its right-hand side.",
-              {0.0, 1.0, true, true, {}});
+  schema.real(
+      "Inner Tolerance", 1e-2,
+      "Tolerance of linear solves until the set of closed pairs no longer changes, relative to the energy norm of the solution; for "
+      "the auxiliary problem, relative to its right-hand side.",
+      {0.0, 1.0, true, true, {}});
   return schema;
 }
 

@@ -4,9 +4,9 @@
 namespace suture {
 
 /// Semismooth Newton on the condensed gradient: (S_0 + S_KON'(status at U)) dU = -grad J(U). A tangent is a set of closed pairs, and the
-/// next one is what the groups answer with at the trace: Newton's sets are those that ContactSearch tries first, before plain flips, and
-/// its safeguards make the method global: a tangent that leaves a body loose gets holders, a cycle ends in safe steps. Started from
-/// rigid bodies on pads, or from the auxiliary solution (Outer Solver/Start), from which it takes three to seven steps.
+/// groups' response to the trace gives the next one. ContactSearch tries these Newton sets first, before plain flips, and its safeguards
+/// make the method global: a tangent that leaves a body loose is given holders, and a cycle ends in safe steps. Starts from rigid bodies on
+/// pads, or from the auxiliary solution (Outer Solver/Start), from which it takes three to seven steps.
 class SemismoothNewton : public OuterSolver {
  public:
   static Schema schema();

@@ -13,7 +13,7 @@
 namespace suture {
 
 namespace {
-constexpr double kRounding = 1e-14;  // part of the energy norm at the start of a solve that rounding leaves in its answer
+constexpr double kRounding = 1e-14;  // round-off in the answer of a solve, relative to the energy norm at its start
 }  // namespace
 
 void SetSolves::findClusters(const ClosedSet& closed) {
@@ -32,7 +32,7 @@ bool SetSolves::oneCluster() const {
   return std::all_of(clusterOf_.begin(), clusterOf_.end(), [&](int cluster) { return cluster == clusterOf_.front(); });
 }
 
-/// U.S U of each cluster, at its first part.
+/// U.S U of each cluster, stored at its first part.
 Vector SetSolves::energies(const InterfaceState& state) const {
   const Vector ofParts = sets_.energies(state);
   Vector sums = Vector::Zero(ofParts.size());
@@ -40,8 +40,8 @@ Vector SetSolves::energies(const InterfaceState& state) const {
   return sums;
 }
 
-/// Scales of the clusters: from the energies of the state `from`, or before there are any from the residual. `state` is where the solve
-/// begins: its gaps are closed, which may take far more energy than the solution has.
+/// Scales of the clusters: from the energies of the state `from`, or from the residual if there are none yet. `state` is the start of the
+/// solve, with closed gaps, which may need far more energy than the solution has.
 void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load) {
   const Vector energy = deformed_ ? energies(from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
   lift_ = energies(state).cwiseSqrt();
@@ -50,10 +50,10 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
   size_.resize(0);
   scaled_ = false;
   largestScale_ = 1.0;
-  // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
+  // One cluster needs no scaling; an automatic tolerance needs the global error.
   if (oneCluster() || run_.automatic.on()) {
     reference_ = std::sqrt(energy.sum());
-    if (run_.automatic.on() && reference_ == 0.0) {  // it needs to know the size of the solution
+    if (run_.automatic.on() && reference_ == 0.0) {  // it needs the size of the solution
       reference_ = preconditionedNorm(*run_.preconditioner, load);
       run_.automatic.startsFrom(reference_);
     }
@@ -74,13 +74,13 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
   reference_ = 1.0;
 }
 
-/// Part of the energy norms of clusters that idle bodies of others borrow, at the clusters' first parts.
+/// Energy norms assigned to idle clusters, a fraction of their neighbours' norms; stored at the first parts of the clusters.
 Vector SetSolves::lentNorms(const Vector& norms) const {
   const ContactBodies& bodies = sets_.bodies();
   std::vector<double> own;
   for (const int cluster : clusterOf_) own.push_back(norms(cluster));
   std::vector<char> idle = bodies.idle();
-  for (std::size_t p = 0; p < own.size(); ++p)  // a cluster with a body that is not has a scale of its own
+  for (std::size_t p = 0; p < own.size(); ++p)  // a cluster with a body that is not idle has its own scale
     if (!bodies.idle()[p])
       for (std::size_t q = 0; q < own.size(); ++q) idle[q] = idle[q] && clusterOf_[q] != clusterOf_[p];
   const std::vector<double> lent = lentValues(own, idle, kLentForce, bodies.neighbours());
@@ -91,12 +91,12 @@ Vector SetSolves::lentNorms(const Vector& norms) const {
 
 Vector SetSolves::productsByPart(const MultiVector& r) const { return suture::productsByPart(sets_, *run_.preconditioner, r); }
 
-/// Largest ratio of what a cluster's residual was relative to and the energy norm that its solve found.
+/// Largest ratio of the reference norm of a cluster and the energy norm of its solution.
 double SetSolves::overestimate(const InterfaceState& state, double tolerance) const {
   if (run_.automatic.on()) return 1.0;
   Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
   own = own.cwiseMax(lentNorms(own));
-  // The solution of a set may have no energy (a body that moves as a whole): it is known well enough beside what others had.
+  // The solution of a set may have no energy (a body in rigid motion): earlier energies are the scale then.
   Vector before = Vector::Zero(own.size());
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) before(clusterOf_[p]) += found_(static_cast<Eigen::Index>(p));
   own = own.cwiseMax(std::max(tolerance, kNegligibleEnergyNorm / tolerance) * before.cwiseSqrt());
@@ -113,8 +113,8 @@ void SetSolves::scale(MultiVector& x, bool inverse) const {
   for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
 }
 
-/// Residual of the whole; of the body that has the largest beside its own energy, if that is larger. Then tolerances become sharper. The
-/// state remembers its image.
+/// Global residual, or the largest residual of a body relative to its own energy, if that is larger; tolerances are tightened then. The
+/// image of the state is cached in the state.
 double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
   const Vector energy = sets_.energies(state), own = productsByPart(residual);
   largest_ = largest_.cwiseMax(energy);

@@ -11,12 +11,13 @@
 namespace suture {
 
 namespace {
-constexpr int kRestarts = 6;      // number of new beginnings of conjugate gradients whose recursion has lost the residual
-constexpr double kStalled = 0.5;  // part of the residuals, of the whole and of bodies, that a new beginning leaves where rounding ends it
-constexpr double kPairDigits = 1e-12;  // rounding of a pair's force, in parts of the largest in its cluster
+constexpr int kRestarts = 6;           // maximum number of restarts of conjugate gradients whose recursive residual has drifted
+constexpr double kStalled = 0.5;       // reduction of global and body residuals by a restart above which they stagnate at round-off
+constexpr double kPairDigits = 1e-12;  // round-off of a pair force relative to the largest in its cluster
 constexpr int kRescales = 4;
-constexpr double kKept = 0.02;  // least accuracy that a final set inherits from the one before: a body that needs more may be free in it
-constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
+constexpr double kKept =
+    0.02;  // least factor on the tolerance inherited from the previous final set: a body that needed a smaller one may be free now
+constexpr double kOverestimate = 2.0;  // overestimate of the energy norm of the solution above which a solve is resumed
 }  // namespace
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner, bool loose)
@@ -27,7 +28,7 @@ SetSolves::SetSolves(OuterSolver::Run& run, double inner, bool loose)
       step_(run.problem.space()->vector()) {
   largest_ = found_ = sets_.bodies().carriedEnergy();
   if (!run.fromAuxiliary) return;
-  // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
+  // The auxiliary solve can be resumed if there is one cluster, whose scaling it has.
   preconditioned_ = run.preconditioned;
   hasPreconditioner_ = true;
   matrix_ = run.bilateral;
@@ -53,7 +54,7 @@ double SetSolves::tolerance(int level) const {
   return sharper_ * (level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final);
 }
 
-/// At the end the residual of each body is small beside its own energy: then its pairs have digits of their own.
+/// At the end the residual of each body is small compared with its energy, so its pairs have their own resolution.
 PairResolution SetSolves::finalResolution() const {
   const double final = run_.settings.tolerance;
   return run_.automatic.on() ? PairResolution{final} : PairResolution{std::min(kPairDigits, final), final};
@@ -84,8 +85,9 @@ void SetSolves::evaluateStart() {
   run_.confirm();
 }
 
-/// Where the second set's solve begins. The first set is a guess, which may lead far astray (a long slab that no pair carries bends under
-/// its load by more than its length): of the first solve's state and the start, the one with less energy once the set's gaps are closed.
+/// Chooses the start of the solve with the second set. The first set is a guess, which may be far off (a long slab that no pair carries
+/// bends under its load by more than its length). The choice is between the state of the first solve and the original start: the one with
+/// less energy after closing the gaps of the set.
 void SetSolves::chooseOrigin(const InterfaceState& from, InterfaceState& state, int& applications) {
   if (!deformed_) {
     start_ = from;
@@ -104,7 +106,7 @@ void SetSolves::chooseOrigin(const InterfaceState& from, InterfaceState& state, 
   deformed_ = false;
 }
 
-/// One call of conjugate gradients, or the next of the same: moves the state.
+/// Starts or resumes conjugate gradients and updates the state.
 bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                             int& applications) {
   if (goOn) {
@@ -135,7 +137,7 @@ bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, 
   return true;
 }
 
-/// Until the residual is small beside the energy of what was found.
+/// Solves until the residual is small compared with the energy of the solution.
 bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications) {
   const double tolerance = this->tolerance(level);
   const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, level > 0);
@@ -150,7 +152,7 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
     more.pcg += cost.pcg;
     cost = std::move(more);
   }
-  // Without an iteration nothing new is known: the start was as accurate as is asked (a nested one is). More is asked then.
+  // Without an iteration nothing changes: the start was accurate enough already (e.g. a nested one). Use the next tolerance.
   if (solved && level + 1 < levels() && cost.steps.empty() && cost.residual > this->tolerance(levels() - 1))
     return oneSolve(state, goOn && run_.inner.canGoOn(), level + 1, cost, applications);
   if (solved) {
@@ -170,7 +172,8 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
   bool goOn = closed == closed_ && run_.inner.canGoOn();
   if (!goOn) {
     findClusters(closed);
-    sharper_ = level == kFinal ? std::max(sharper_, kKept) : 1.0;  // bodies that needed more digits in the last set do in the next one
+    sharper_ =
+        level == kFinal ? std::max(sharper_, kKept) : 1.0;  // bodies that needed a smaller tolerance in the last set do in the next one
   }
   closed_ = closed;
   double before = 0.0, wholeBefore = 0.0;
@@ -186,12 +189,11 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         closed_.clear();
         return answer;
       }
-      // Statuses are believed as far as the solve has come.
+      // The accuracy of the states is that of the solve.
       InterfaceProblem::Evaluation at = sets_.evaluateSet(state, {std::max(final, std::min(tolerance(level), cost.residual))});
       double residual = cost.residual;
       bool drifted = false, sharpened = false;
-      if (level == kFinal ||
-          (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
+      if (level == kFinal || (at.settled && residual <= final)) {  // confirm the recursive residual by applying the operator
         state.memory.reset();
         sets_.separate(state);
         applications += sets_.remember(state);
@@ -226,7 +228,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       }
       before = residual;
       wholeBefore = whole_;
-      goOn = sharpened && !stalled && run_.inner.canGoOn();  // a recursion that stalls is begun anew
+      goOn = sharpened && !stalled && run_.inner.canGoOn();  // a stalled recursion is restarted
     }
   } catch (const NumericalError& error) {
     run_.result.failure = error.what();

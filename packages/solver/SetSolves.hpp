@@ -6,18 +6,19 @@
 
 namespace suture {
 
-/// The linear problems of a closed set on the interface, by preconditioned conjugate gradients: what ContactSearch asks of a formulation.
-/// Three accuracies: the inner tolerance, half way to the final one, the final one. Collective.
+/// Linear solver of ContactSearch for closed sets on the interface: preconditioned conjugate gradients. Three levels of accuracy: the inner
+/// tolerance, the geometric mean of inner and final tolerance, and the final tolerance. Collective.
 ///
-/// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), cluster by cluster of bodies that closed
-/// pairs connect: there S is block diagonal, and each block is scaled by its own energy before conjugate gradients see it. A weak cluster
-/// has as many digits as a strong one beside it. At the end the residual of each body must be small beside the energy of the body, too.
+/// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), for each cluster of bodies connected by
+/// closed pairs. S is block diagonal in clusters, and each block is scaled by its own energy for conjugate gradients, so that a weak
+/// cluster is solved as accurately as a strong one. At the end the residual of each body must also be small compared with the energy of the
+/// body.
 class SetSolves : public ContactOracle {
  public:
-  /// \param inner  tolerance of the loosest solves;  \param loose  no others: the answer is a start for something else
+  /// \param inner  tolerance of the loosest solves;  \param loose  only these: the answer is a start for another method
   SetSolves(OuterSolver::Run& run, double inner, bool loose = false);
 
-  /// Evaluates the start that a run goes on from; run.done() tells whether it is the solution.
+  /// Evaluates the given start of a run; run.done() is true if it is the solution.
   void evaluateStart();
 
   int levels() const override { return levels_; }
@@ -53,23 +54,23 @@ class SetSolves : public ContactOracle {
   const double inner_;
   const int levels_;
   MultiVectorPtr step_;
-  ClosedSet closed_;                // set of the last solve; empty if that cannot be resumed
-  ContactStates preconditioned_;    // states that the preconditioner was made for
-  bool hasPreconditioner_ = false;  // the same on all ranks, also on those without a local problem
+  ClosedSet closed_;                // set of the last solve; empty if it cannot be resumed
+  ContactStates preconditioned_;    // states for which the preconditioner was made
+  bool hasPreconditioner_ = false;  // the same on all ranks, including those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;
   std::vector<int> clusterOf_;  // of each part
-  Vector lift_;                 // energy norm of each cluster where the last solve began: rounding leaves a part of it
-  Vector largest_;              // largest doubled energy that each part has had; sets what counts as rounding
-  Vector found_;                // the same of answers of solves, without what closing gaps took
-  Vector size_;                 // of each cluster, that its residual was relative to
-  std::vector<double> scale_;   // of each owned unknown, if scaled_
-  bool scaled_ = false;         // several clusters, each by its own energy. The same on all ranks
+  Vector lift_;                 // energy norm of each cluster at the start of the last solve, which sets the round-off level
+  Vector largest_;              // twice the largest energy of each part so far; sets the round-off level
+  Vector found_;                // the same for solutions only, without the energy of closing gaps
+  Vector size_;                 // reference norm of the residual of each cluster
+  std::vector<double> scale_;   // per owned unknown, if scaled_
+  bool scaled_ = false;         // several clusters, each scaled by its own energy. The same on all ranks
   double largestScale_ = 1.0;
   double reference_ = 0.0;
-  double whole_ = 0.0;     // last norm of the residual of the whole, of which single bodies may have more than their share
-  double sharper_ = 1.0;   // factor of tolerances, for the sake of single bodies
-  InterfaceState start_;   // the first solve's, with its status, until the second's
-  bool deformed_ = false;  // the state is the answer of a solve: its energy is a scale
+  double whole_ = 0.0;     // last global residual norm; single bodies may have more than their share
+  double sharper_ = 1.0;   // factor on tolerances, for the residuals of single bodies
+  InterfaceState start_;   // state and status of the first solve, until the second one
+  bool deformed_ = false;  // the state is the answer of a solve, so its energy is a valid scale
 };
 
 }  // namespace suture

@@ -44,13 +44,13 @@ std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, co
     for (const std::string& name : names) text += (name == *names.begin() ? "" : ", ") + name;
     text += ")";
   }
-  return text + " still open and close from step to step; " +
-         (atLimit ? "more Outer Solver/Maximum Iterations, Load Steps that load in parts" : "Load Steps that load in parts") +
-         ", or Outer Solver/Type = Monolithic, may settle them";
+  return text + " still open and close from step to step; try " +
+         (atLimit ? "a larger Outer Solver/Maximum Iterations, Load Steps with smaller increments" : "Load Steps with smaller increments") +
+         ", or Outer Solver/Type = Monolithic";
 }
 
 std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, double multiple) {
-  constexpr double kNone = 1e-8;  // part of a unit motion
+  constexpr double kNone = 1e-8;  // relative to a unit motion
   std::string text = "no equilibrium was found: friction does not hold";
   for (std::size_t p = 0; p < parts.parts().size(); ++p) {
     const RigidPart& part = parts.parts()[p];
@@ -63,8 +63,8 @@ std::string slidesAway(const ContactBodies& parts, const Vector& motion, const s
   friction.precision(3);
   friction << (multiple > 0.0 ? "At these loads, friction " : "More friction");
   if (multiple > 0.0) friction << multiple << " times as large";
-  return text + " all pairs that could are at their bounds, and the loads drive it on. " + friction.str() +
-         ", a prescribed displacement or an Elastic Support holds it";
+  return text + " all pairs that resist this motion are at their friction limit. " + friction.str() +
+         ", a prescribed displacement or an Elastic Support would hold it";
 }
 
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& settings, Monitor& monitor, const InterfaceState* start,
@@ -73,7 +73,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& se
   const Parameters& own = settings.sublist("Outer Solver");
   OuterSettings outer;
   if (isAutomatic(settings)) {
-    if (!discretisationError.of) throw InternalError("an automatic tolerance without an estimate of the error");
+    if (!discretisationError.of) throw InternalError("an automatic tolerance needs an error estimate");
     outer.discretisationError = discretisationError;
   } else {
     outer.tolerance = std::stod(own.get<std::string>("Tolerance"));

@@ -25,7 +25,7 @@ std::unique_ptr<Base> madeBy(const Parameters& list, const std::string& name) {
   return Registry<Base>::instance().make(name, list.isSublist(name) ? list.sublist(name) : Parameters());
 }
 
-/// The outer solver that goes with the formulation of a resolved scene. `fallback`: where it fits anyway.
+/// The default outer solver of a resolved scene: `fallback` if it fits the formulation, else the formulation's own default.
 std::string fittingSolver(const Parameters& scene, const std::string& fallback) {
   const auto formulation = formulationOf(scene);
   const bool fits = madeBy<OuterSolver>(scene.sublist("Outer Solver"), fallback)->solves(*formulation);
@@ -60,7 +60,7 @@ std::vector<std::string> looseTolerances(const Parameters& scene) {
     if (value <= loosest) return;
     std::ostringstream text;
     text << "warning: " << pathOf(list, name) << ": " << value << " is looser than " << loosest
-         << ": pairs may be told open or closed by what is left of the iteration; trust the verdict alone";
+         << ": the remaining residual may decide whether pairs are open or closed; rely only on the verdict";
     warnings.push_back(text.str());
   };
   const Parameters& outer = scene.sublist("Outer Solver");
@@ -72,49 +72,48 @@ std::vector<std::string> looseTolerances(const Parameters& scene) {
 
 void addSolverParameters(Schema& scene) {
   scene.choice("Formulation", "Contact On The Interface", Registry<Formulation>::instance().schemas(),
-               "Unknowns of the interface, and where contact enters.");
+               "Unknowns of the interface problem and treatment of contact.");
 
   constexpr const char* usual = "Active Set";
   auto solvers = Registry<OuterSolver>::instance().schemas();
   for (const auto& [name, schema] : Registry<Method>::instance().schemas())
     if (!solvers.emplace(name, schema).second) throw InternalError("an outer solver and a method have the same name: '" + name + "'");
-  Schema outer("How the contact problem is solved; a scene without contact is linear and enters no outer loop.");
+  Schema outer("Solver of the contact problem; a scene without contact is linear and needs no outer iterations.");
   outer
       .choice("Type", usual, solvers,
-              std::string("Name of the outer solver; where none is given and ") + usual +
-                  " does not fit the Formulation, the one that goes with that.")
+              std::string("Name of the outer solver. If none is given and ") + usual +
+                  " does not fit the Formulation, its default solver is used.")
       .fittingDefault([](const Parameters& whole) { return fittingSolver(whole, usual); });
   outer.choice("Start", "Rigid Bodies",
-               {{"Rigid Bodies", Schema("Rigid bodies on unilateral elastic pads in place of contact: no linear solve. Active Set and "
-                                        "Monolithic; other methods start as Bilateral.")},
-                {"Bilateral", Schema("The solution with all pairs closed, the paper's auxiliary problem.")},
-                {"Nested", Schema("The solution on coarser meshes, one from the other.")
+               {{"Rigid Bodies", Schema("Rigid bodies on unilateral elastic pads, without a linear solve. For Active Set and Monolithic; "
+                                        "other methods start as Bilateral.")},
+                {"Bilateral", Schema("Solution with all pairs closed, the auxiliary problem of the paper.")},
+                {"Nested", Schema("Solution on a sequence of coarser meshes.")
                                .texts("Levels", std::nullopt,
-                                      "One text a level, the coarsest first: what differs from this scene, as in --set, separated by "
+                                      "One text per level, the coarsest first: changes to this scene in the syntax of --set, separated by "
                                       "semicolons: \"Mesh/Constants/scale=2; Partition/METIS/Subdomains=12\".")}},
-               "Where the outer solver begins.");
-  outer.wordOrNumber(
-      "Tolerance", "1e-8", {"Automatic"}, {0.0, 1.0, true, true, {}},
-      "Bound of the residual's preconditioned norm, relative to that of the lifted start. Automatic: no digits that the mesh "
-      "cannot hold; iterations end where the algebraic error is a tenth of the estimated discretisation error (energy norm), "
-      "or at 1e-8.");
-  outer.oneOf("Neutral Motions", "Refuse", {"Refuse", "Least"},
-              "How to treat a solution in which a loaded body slides or turns freely after pairs have opened: its place is not determined "
-              "then. Refuse: the run writes its results, names body and motion and ends with exit code 4. Least: the least displacement is "
-              "kept, and a note says so.");
-  outer.integer("Maximum Iterations", 200, "Outer iterations at most; methods by closed sets: sets at most.", Range::atLeast(0));
-  outer.integer("Maximum Inner Iterations", 1000, "Conjugate gradient iterations of one linear solve at most.", Range::atLeast(1));
+               "Initial state of the outer solver.");
+  outer.wordOrNumber("Tolerance", "1e-8", {"Automatic"}, {0.0, 1.0, true, true, {}},
+                     "Bound of the preconditioned residual norm, relative to that of the lifted start. Automatic: iterations stop when the "
+                     "algebraic error is a tenth of the estimated discretisation error (energy norm), or at 1e-8.");
+  outer.oneOf(
+      "Neutral Motions", "Refuse", {"Refuse", "Least"},
+      "Treatment of a solution in which a loaded body can slide or turn freely after pairs have opened, so that its position is not "
+      "determined. Refuse: the run writes its results, reports body and motion and ends with exit code 4. Least: the smallest "
+      "displacement is used and reported in a note.");
+  outer.integer("Maximum Iterations", 200,
+                "Maximum number of outer iterations; for methods by sets of closed pairs, maximum number of sets.", Range::atLeast(0));
+  outer.integer("Maximum Inner Iterations", 1000, "Maximum number of conjugate gradient iterations per linear solve.", Range::atLeast(1));
   scene.list("Outer Solver", outer);
 
   scene.list("Preconditioner", preconditionerSchema());
 
   Schema subdomain = subdomainSchema();
-  subdomain.choice("Schur Complement", "Automatic", Registry<SchurComplement>::instance().schemas(), "How S_i is kept.");
-  subdomain.real(
-      "Memory Limit", 0.0,
-      "Memory that all ranks on one machine may take together; a run that is estimated to take more is refused before it starts. 0: "
-      "what the machine has left.",
-      Range::atLeast(0), "MB");
+  subdomain.choice("Schur Complement", "Automatic", Registry<SchurComplement>::instance().schemas(), "Storage of S_i.");
+  subdomain.real("Memory Limit", 0.0,
+                 "Memory limit for all ranks on one machine together; a run whose estimate exceeds it is refused before it starts. 0: the "
+                 "available memory of the machine.",
+                 Range::atLeast(0), "MB");
   scene.list("Subdomain", subdomain);
 }
 

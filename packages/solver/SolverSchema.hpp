@@ -6,15 +6,15 @@
 
 namespace suture {
 
-/// \throws InputError  the settings' outer solver does not fit their formulation: names those that do. Local, the same on all ranks.
+/// \throws InputError  if the outer solver does not fit the formulation; the message lists those that do. Local, the same on all ranks.
 /// \param settings  resolved lists of the solver packages
 void checkCombination(const Parameters& settings);
 
-/// Adds what the solver packages read to the scene's schema: Formulation, Outer Solver, Preconditioner, Subdomain. Local.
+/// Adds the parameters of the solver packages to the scene's schema: Formulation, Outer Solver, Preconditioner, Subdomain. Local.
 void addSolverParameters(Schema& scene);
 
-/// Warnings on tolerances of the outer and the inner solver above 1e-2: statuses and forces may be off by as much, and the verdict alone
-/// says whether the answer holds. Local. \param scene  the whole resolved scene
+/// Warnings for outer and inner tolerances above 1e-2: contact states and forces may be wrong by as much, and only the verdict shows
+/// whether the solution is valid. Local. \param scene  the whole resolved scene
 std::vector<std::string> looseTolerances(const Parameters& scene);
 
 }  // namespace suture

@@ -12,7 +12,7 @@ namespace suture {
 
 double largestEigenvalue(const Operator& b, const std::function<void(const MultiVector&, MultiVector&)>& solveA, const MultiVector& start,
                          double relative, int most) {
-  // v: orthonormal in the A inner product; av: A v. One step: w = A^-1 B v, so that A w = B v.
+  // v: orthonormal in the A inner product; av: A v. One step: w = A^-1 B v, hence A w = B v.
   std::vector<MultiVectorPtr> v, av;
   std::vector<double> alpha, beta;
   auto w = Teuchos::rcp(new MultiVector(start, Teuchos::Copy));
@@ -55,7 +55,7 @@ double largestEigenvalue(const Operator& b, const std::function<void(const Multi
 std::string whySingular(const InterfaceOperator& withoutContact) {
   const GlobalId untouched = withoutContact.untouched();
   if (untouched > 0) return std::to_string(untouched) + " interface unknowns are shared by contact groups only";
-  // Null vectors of S_0 have traces in the kernels of all its terms that agree on the interface.
+  // A null vector of S_0 is in the kernels of all its terms, which agree on the interface.
   const CommPtr& comm = withoutContact.space()->comm();
   Packer packer;
   collectively(*comm, "collecting motions without contact groups", [&] {

@@ -12,11 +12,11 @@
 namespace suture {
 
 namespace {
-constexpr double kNearlyBest = 0.9;  // part of the best-told motion from which on an unknown is as good as the best: the lowest is taken
-constexpr double kTellsNone = 1e-8;  // motion of an unknown that is none
+constexpr double kNearlyBest = 0.9;  // unknowns above this fraction of the largest motion are equivalent; the lowest id is taken
+constexpr double kTellsNone = 1e-8;  // motions below this are zero
 }  // namespace
 
-/// Unknowns whose values determine the motions, the best ones one after the other; the same on all ranks. Collective.
+/// Unknowns whose values determine the motions, chosen greedily; the same on all ranks. Collective.
 std::vector<GlobalId> SpringPreconditioner::telling(const MultiVector& motions) const {
   std::vector<char> inRows(static_cast<std::size_t>(space()->overlapSize()), 0);
   for (const InterfaceRelation& relation : space()->relations())
@@ -61,7 +61,7 @@ void SpringPreconditioner::doCompute() {
     const Eigenpairs pairs = symmetricEigenpairs(friction->motionEnergy);
     inverse_ = pairs.vectors * pairs.values.cwiseInverse().asDiagonal() * pairs.vectors.transpose();
   }
-  // The same rows may be solved for other unknowns, on some of the ranks.
+  // Some ranks may have chosen other unknowns for the same rows.
   const int mine = madeFor_ == space() && madeOf_ == matrix()->locals() && vanishing == vanishing_;
   int all = 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));

@@ -5,9 +5,9 @@
 
 namespace suture {
 
-/// Preconditioner of operators in which springs alone hold some rigid motions Z (FrictionTangent::motions), with another one that knows no
-/// springs: M^-1 = M_0^-1 + Z E^-1 Z^T, E the energy of the springs in them and M_0 the other one, of the space in which as many unknowns
-/// vanish as there are motions: those that tell them best. Without such motions it is the other one. Made anew only if the space, its
+/// Preconditioner of operators in which only springs hold some rigid motions Z (FrictionTangent::motions): M^-1 = M_0^-1 + Z E^-1 Z^T, with
+/// E the energy of the springs in these motions. M_0 is another preconditioner, without springs, of the space in which as many unknowns are
+/// fixed as there are motions: those that determine the motions best. Without such motions M = M_0. Set up again only if the space, its
 /// local problems or these unknowns change.
 class SpringPreconditioner : public Preconditioner {
  public:

@@ -15,9 +15,9 @@ namespace suture {
 namespace {
 
 constexpr int kAllGroups = -1;
-constexpr std::size_t kMostGroups = 8;  // an eigenvalue each; beyond, lambda^2 <= mu is good enough
+constexpr std::size_t kMostGroups = 8;  // one eigenvalue per group; for more groups the bound lambda^2 <= mu is used
 
-/// The contact groups' part of an operator: all of them, or the one with a local problem's id.
+/// Contact part of an operator: all groups, or the one with the given id.
 Teuchos::RCP<InterfaceOperator> groupsOf(const InterfaceOperator& whole, const InterfaceOperator& withoutContact, int id) {
   LocalProblems locals = whole.locals();
   for (std::size_t i = 0; i < locals.size(); ++i)
@@ -25,7 +25,7 @@ Teuchos::RCP<InterfaceOperator> groupsOf(const InterfaceOperator& whole, const I
   return Teuchos::rcp(new InterfaceOperator(whole.space(), std::move(locals)));
 }
 
-/// Ids of the contact groups of all ranks, ascending. Collective.
+/// Sorted ids of the contact groups of all ranks. Collective.
 std::vector<int> groupIds(const InterfaceOperator& whole, const InterfaceOperator& withoutContact) {
   std::vector<int> mine, all;
   for (std::size_t i = 0; i < whole.locals().size(); ++i)
@@ -41,10 +41,10 @@ std::vector<int> groupIds(const InterfaceOperator& whole, const InterfaceOperato
 }  // namespace
 
 Schema SuccessiveApproximation::schema() {
-  Schema schema("The paper's successive approximations (18)/(32); they contract only where contact groups are soft against the rest.");
+  Schema schema("Successive approximations (18)/(32) of the paper; they converge only if contact groups are soft compared with the rest.");
   schema.wordOrNumber("Relaxation", "Automatic", {"None", "Automatic"}, {0.0, 2.0, true, false, {}},
                       "Factor of the correction: None is 1 (the paper), Automatic 2 / (2 + 1.1 mu), halved when the energy rises.");
-  schema.real("Inner Tolerance", 1e-3, "Tolerance of each linear solve, relative to the outer residual that it starts from.",
+  schema.real("Inner Tolerance", 1e-3, "Tolerance of each linear solve, relative to the outer residual at its start.",
               {0.0, 1.0, true, true, {}});
   return schema;
 }
@@ -61,7 +61,7 @@ void SuccessiveApproximation::doSolve(Run& run) const {
   preconditioner->initialize(run.problem.space());
   preconditioner->compute(s0);
 
-  // The eigenvalues need a few digits only.
+  // A few digits of the eigenvalues suffice.
   Monitor silent;
   const auto solveS0 = [&](const MultiVector& b, MultiVector& x) { run.inner.solve(s0, preconditioner, b, x, 1e-6, 0.0, silent); };
   const auto radius = [&](const InterfaceOperator& contactPart) {
@@ -69,7 +69,7 @@ void SuccessiveApproximation::doSolve(Run& run) const {
   };
   const double mu = radius(*groupsOf(*run.bilateral, *s0, kAllGroups));
   run.result.estimates["mu"] = mu;
-  // (41) asks for one lambda that serves every group; their sum is S^0, so that mu is never less than its square.
+  // (41) needs one lambda for all groups; their sum is S^0, so lambda^2 <= mu.
   const std::vector<int> groups = groupIds(*run.bilateral, *s0);
   double lambdaSquared = groups.size() > 1 && groups.size() <= kMostGroups ? 0.0 : mu;
   for (std::size_t g = 0; g < groups.size() && lambdaSquared < mu; ++g)

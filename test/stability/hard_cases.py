@@ -195,7 +195,7 @@ def case(variant, name):
                        "source": "balance of forces, to the tolerance or the rounding of a jump by 1e6"}]
     # On the interface hard subdomains keep their fluxes in equilibrium: the residual falls below what rounding leaves in groups.
     if "floor" in own and variant != "contact_on_the_interface" and not name.startswith("space_"):
-        made["message"] = ["rounding ends the iterations"]
+        made["message"] = ["the residual stagnates at round-off"]
     made["checks"] += own.get("checks", [])
     for figure, default in (("displacement", 1e-7), ("force", 1e-6), ("status", 0)):
         tolerance = own.get(figure, default)

@@ -23,7 +23,7 @@ ElementGraph fixedNeighbours(const ClusterGraph& graph);
 
 /// Vertices and edges between clusters, in the coarse unknowns of the graph. Unknowns of two clusters are connected if two local problems,
 /// one in each cluster, share both of them. The ends of an edge are its unknowns at the two points that are farthest apart, including the
-/// vertices that bound it. \param clusterOf cluster of each local problem. Local.
+/// vertices that bound it. \param clusterOf  cluster of each local problem. Local.
 std::vector<InterfaceLayout::Entity> clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf);
 
 }  // namespace suture

@@ -30,7 +30,7 @@ class ClusterProblem : public LocalProblem {
 
   /// Coarse unknowns that only this cluster has, ascending.
   const std::vector<int>& interior() const { return interior_; }
-  /// Flux of the fixed boundary that balances loads in the interior. \param interior in: the loads; overwritten
+  /// Flux of the fixed boundary that balances loads in the interior. \param interior  in: the loads; overwritten
   void condense(LocalView interior, LocalView flux) const;
   /// \param interior  in: the loads; out: the solution for these loads and this trace
   void recover(ConstLocalView trace, LocalView interior) const;

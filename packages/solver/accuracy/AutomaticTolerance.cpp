@@ -5,7 +5,7 @@
 namespace suture {
 
 namespace {
-constexpr double kClean = 0.5;  // algebraic error, relative to the estimate, that does not spoil it
+constexpr double kClean = 0.5;  // algebraic error, relative to the estimate, up to which the estimate is reliable
 }
 
 void AutomaticTolerance::estimate(const InterfaceState& state, double error) {

@@ -10,50 +10,49 @@
 
 namespace suture {
 
-/// `Outer Solver/Tolerance` = Automatic: digits that the mesh cannot hold are not computed. Iterations end where the algebraic error is at
-/// most a tenth of the estimated discretisation error, both in the energy norm: together they are then at most 0.5 % more than the latter.
-/// (With pairs settled, an iterate solves the contact problem under loads that differ by its residual: the error is that of a linear
-/// problem.)
+/// `Outer Solver/Tolerance` = Automatic: iterations end once the solver error is below the discretisation error. Iterations stop when the
+/// algebraic error is at most a tenth of the estimated discretisation error, both in the energy norm; the total error is then at most 0.5 %
+/// larger than the latter. (Once the pairs have settled, an iterate solves the contact problem under loads that differ by its residual, so
+/// the error is that of a linear problem.)
 ///
-/// An estimate costs as much as many iterations. Hence none is made before the iterations might end: where the algebraic error is a tenth
-/// of the discretisation error that is to be expected of a mesh of so many nodes. If the estimate is not smaller, the iterations do end
-/// there, and what was recovered for it is the answer. Else they go on, to a tenth of the estimate; that is made again only if the
-/// algebraic error then was more than half of it (and may have made it more than 13 % too large, as errors add by squares), or pairs have
-/// changed since.
+/// An estimate costs as much as many iterations. Hence the first one is made when the algebraic error is a tenth of the discretisation
+/// error expected for a mesh of this size. If the estimate is not smaller, the iterations end, and the solution recovered for the estimate
+/// is the answer. Otherwise they continue to a tenth of the estimate. It is repeated only if pairs have changed, or if the algebraic error
+/// was more than half of it (errors add in squares, so it may have been more than 13 % too large).
 class AutomaticTolerance {
  public:
   struct Estimate {
     std::function<DiscretisationError(const std::vector<Vector>& freeValues)> of;  ///< error of this rank's subdomains; collective
-    double expected = 0.0;                                                         ///< guess of it, relative to the norm of the solution
+    double expected = 0.0;                                                         ///< a priori guess, relative to the norm of the solution
   };
   using Recovered = std::shared_ptr<const InterfaceProblem::Recovered>;
 
-  /// \param estimate  empty: there is no such tolerance, and nothing below ever ends an iteration. `problem` must outlive this.
+  /// \param estimate  empty: no automatic tolerance, no iteration is ended. `problem` must outlive this.
   AutomaticTolerance(const InterfaceProblem& problem, Estimate estimate) : problem_(problem), estimate_(std::move(estimate)) {}
 
   bool on() const { return estimate_.of != nullptr; }
   const std::optional<DiscretisationError>& last() const { return last_; }
   int estimates() const { return estimates_; }
-  /// Recovered solution of the estimate at the end of the last solve, given out once; else null.
+  /// Recovered solution of the estimate at the end of the last solve, returned once; else null.
   Recovered takeRecovered() { return std::exchange(recovered_, nullptr); }
 
-  /// The norm of the solution, roughly: better when the first solve has told it.
+  /// Sets the approximate norm of the solution, improved by the first solve.
   void startsFrom(double norm) { scale_ = norm; }
-  /// True if an algebraic error (negative: not known) may be small enough, as far as is known.
+  /// True if an algebraic error (negative: unknown) is small enough by the current estimate or guess.
   bool within(double error) const { return on() && error >= 0.0 && error <= target(); }
-  /// True if the algebraic error is small enough and the estimate is good enough to say so.
+  /// True if the algebraic error is small enough and the estimate is reliable.
   bool met(double error) const { return sure_ && within(error); }
   bool sure() const { return sure_; }
-  /// Estimates at a state with an algebraic error. Collective.
+  /// Estimates the discretisation error at a state with the given algebraic error. Collective.
   void estimate(const InterfaceState& state, double error);
-  /// Pairs have changed: the estimate is not that of the state any more.
+  /// Pairs have changed: the estimate is out of date.
   void statusChanged() { sure_ = false; }
-  /// For a method that turns in a circle: ten times less is asked for from now on.
+  /// For a cycling method: lowers the target by a factor of ten.
   void tighten() { share_ *= 0.1; }
-  /// For a linear solve whose unknown is the step from a state.
-  /// \param lowest  smallest eigenvalue that earlier solves found, 0: none
-  /// \param first   the solve starts from nothing
-  /// \param last    nothing is expected to come after this solve: it estimates, if need be, before it ends
+  /// Criterion of a linear solve for the step from a state.
+  /// \param lowest  smallest eigenvalue in earlier solves; 0: none
+  /// \param first   the solve starts from zero
+  /// \param last    probably the last solve: it estimates, if necessary, before it ends
   EnergyCriterion criterion(const InterfaceState& from, double lowest, bool first, bool last);
 
  private:

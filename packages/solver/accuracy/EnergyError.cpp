@@ -19,10 +19,10 @@ RitzValues ritzValues(const std::vector<double>& norms, const std::vector<double
 }
 
 std::vector<double> energyErrors(const std::vector<double>& norms, const std::vector<double>& steps, double lowest) {
-  double radau = 1.0 / lowest;  // the step that an iteration with the eigenvalue `lowest` would take
+  double radau = 1.0 / lowest;  // step of an iteration with the eigenvalue `lowest`
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const double ratio = norms[k + 1] / norms[k], excess = radau - steps[k];
-    // Never more than 1 / lowest; rounding may leave no excess, or one of the wrong sign.
+    // At most 1 / lowest; by round-off the excess may be zero or negative.
     radau = excess > 0.0 ? excess / (lowest * excess + ratio * ratio) : 1.0 / lowest;
   }
   std::vector<double> errors(norms.size());

@@ -7,16 +7,15 @@
 
 namespace suture {
 
-/// True if the tolerance of these settings is Automatic. Local.
+/// True if the tolerance in the settings is Automatic. Local.
 bool isAutomatic(const Parameters& settings);
 
-/// The relative algebraic error that the settings' tolerance asks of a solution: a tenth of its estimated discretisation error where it is
-/// Automatic. Local.
+/// The relative algebraic error required by the tolerance: a tenth of the estimated discretisation error if it is Automatic. Local.
 double requestedAccuracy(const Parameters& settings, const Solution& solution);
 
-/// Estimator of the discretisation error for an automatic tolerance. All arguments must outlive it. Collective, and so is its call.
-/// Expected of n nodes are 3 n^(-1/2) with linear cells, 1.5 / n with quadratic ones. (Measured: V5 on 64 x 64 cells T3 1.2, Q4 0.4 of
-/// n^(-1/2), T6 1.5, Q9 0.3 of 1 / n; tunnel, hertz 3 to 4 of n^(-1/2).)
+/// Estimator of the discretisation error for an automatic tolerance. All arguments must outlive it. Collective, and so is its call. The
+/// error expected for n nodes is 3 n^(-1/2) with linear cells, 1.5 / n with quadratic ones. (Measured: V5 on 64 x 64 cells T3 1.2, Q4 0.4
+/// of n^(-1/2), T6 1.5, Q9 0.3 of 1 / n; tunnel, hertz 3 to 4 of n^(-1/2).)
 AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                                                    const Subdomains& subdomains);
 

@@ -16,11 +16,11 @@ namespace suture {
 
 namespace {
 
-constexpr double kFar = 1e3;           // times the compression of a part's pads: beside smaller motions three digits are lost
+constexpr double kFar = 1e3;           // relative to the compression of a part's pads: a thousandfold motion costs three digits
 constexpr double kCoincident = 1e-12;  // relative to the coordinates
-constexpr double kNoWork = 1e-12;      // relative to the sum of magnitudes: rounding of loads that balance
+constexpr double kNoWork = 1e-12;      // relative to the sum of magnitudes: round-off of balanced loads
 
-/// End of a pair: what it feels of its part's motions. Plain.
+/// End of a pair, and its normal displacement under the motions of its part. Trivially copyable.
 struct End {
   int pair, end, line, part;
   double gap, young, amplitudes[6];
@@ -58,7 +58,7 @@ std::vector<End> endsOf(const Comm& comm, const std::vector<SubdomainMesh>& mesh
 /// Work of the loads in unit free motions.
 Vector workOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const BodyParts& parts,
               const std::vector<int>& first, int motions) {
-  Matrix mine = Matrix::Zero(motions, 2), all = mine;  // and the magnitudes it is summed from
+  Matrix mine = Matrix::Zero(motions, 2), all = mine;  // work, and the sum of the magnitudes of its terms
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const RigidPart& part = parts.parts[parts.partOf[s]];
     const SubdomainMesh& mesh = meshes[s];

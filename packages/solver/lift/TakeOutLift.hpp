@@ -7,9 +7,9 @@
 
 namespace suture {
 
-/// Takes rigid motions out of the scene, where it prescribes any (takeOutRigidMotions()): after the checks, before anything is assembled.
-/// `constraints` of rank 0, for a method that needs the whole mesh, follow the meshes; they may be empty.
-/// Returns the work of the loads in these motions, which the energy of a Solution lacks. [force length] Collective.
+/// Removes prescribed rigid motions from the scene (takeOutRigidMotions()); call it after the checks and before assembly. `constraints` of
+/// rank 0, for methods that need the whole mesh, are updated accordingly; they may be empty. Returns the work of the loads in these
+/// motions, which is missing from the energy of a Solution. [force length] Collective.
 double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints);
 
 }  // namespace suture

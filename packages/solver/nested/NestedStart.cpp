@@ -22,13 +22,14 @@ struct Query {
 };
 
 struct Answer {
-  double outside = std::numeric_limits<double>::infinity();  // how far the point is outside the cell, in its size; none found: infinity
+  double outside =
+      std::numeric_limits<double>::infinity();  // distance of the point from the cell, relative to its size; infinity: no cell found
   Point value{0, 0, 0};
 };
 
 enum class Where { InACell, NearestCell };
 
-/// A coarse answer at points, as far as this rank's subdomains hold them.
+/// Coarse solution at points in this rank's subdomains.
 class Interpolation {
  public:
   explicit Interpolation(const CoarseAnswer& coarse) : coarse_(coarse) {
@@ -62,7 +63,7 @@ class Interpolation {
   std::vector<CellSearch> cells_;
 };
 
-/// Every rank answers everybody's queries from its own cells. The best answer to each query of this rank. Collective.
+/// Best answer to each query of this rank; every rank evaluates all queries in its own cells. Collective.
 std::vector<Answer> ask(const Comm& comm, const std::optional<Interpolation>& coarse, const std::vector<Query>& mine, Where where) {
   Packer packer;
   packer.put(mine);
@@ -86,7 +87,7 @@ std::vector<Answer> ask(const Comm& comm, const std::optional<Interpolation>& co
   return best;
 }
 
-/// State at a place of a contact: that of the nearest pair of another mesh there.
+/// State at a point of a contact: that of the nearest pair of another mesh.
 class NearestState {
  public:
   explicit NearestState(const std::vector<PairResult>& pairs) {
@@ -125,7 +126,7 @@ Matrix interpolate(const Comm& comm, const CoarseAnswer& coarse, const std::vect
   std::optional<Interpolation> interpolation;
   collectively(comm, "interpolating the coarse solution", [&] { interpolation.emplace(coarse); });
   std::vector<Answer> answers = ask(comm, interpolation, mine, Where::InACell);
-  std::vector<std::size_t> missing;  // points that a curved side of the coarse mesh leaves outside
+  std::vector<std::size_t> missing;  // points outside a curved side of the coarse mesh
   for (std::size_t k = 0; k < answers.size(); ++k)
     if (!std::isfinite(answers[k].outside)) missing.push_back(k), beside.push_back(mine[k]);
   if (!unionOverRanks(comm, std::vector<int>(missing.empty() ? 0 : 1)).empty()) {
@@ -139,7 +140,7 @@ Matrix interpolate(const Comm& comm, const CoarseAnswer& coarse, const std::vect
 }
 
 Start nestedStart(const Comm& comm, const CoarseAnswer& coarse, const std::vector<SubdomainMesh>& meshes) {
-  // The interface lies at nodes that several subdomains hold, and on contacts; nothing else is asked for.
+  // Only interface values are needed: at nodes of several subdomains, and on contacts.
   std::vector<Point> points;
   std::vector<int> bodies;
   std::vector<std::vector<int>> nodes(meshes.size());
