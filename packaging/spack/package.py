@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Spack recipe: install it as packages/suture/package.py in your repository. There is no public archive to fetch yet:
-`spack dev-build suture@0.1.0` builds a checkout from its top folder.
+`spack dev-build suture@1.0.0` builds a checkout from its top folder.
 """
 from spack.package import *
 
@@ -10,7 +10,7 @@ class Suture(CMakePackage):
 
     license("BSD-3-Clause")
 
-    version("0.1.0")
+    version("1.0.0")
 
     variant("gmsh", default=True, description="Read .geo meshes through Gmsh (GPL)")
     variant("plots", default=True, description="Python packages for suture_plot, suture_study_plot and suture_convert")
