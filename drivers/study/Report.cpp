@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 std::string draw(const std::string& folder) {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  std::string script = (self.parent_path() / "suture_study_plot").string(), quiet = "--quiet", where = folder;
+  std::string script = (self.parent_path() / "suture_plot").string(), quiet = "--quiet", where = folder;
   if (!fs::exists(script, error)) return "missing script " + script;
   char* arguments[] = {script.data(), quiet.data(), where.data(), nullptr};
   pid_t child;

@@ -30,7 +30,7 @@ std::string exact(const TableCell& cell);
 /// The table, with the labels of the sweeps first; the column `failure` only if a run has failed. Local.
 std::string tableCsv(const Study& study, const std::vector<Row>& rows);
 std::string tableMarkdown(const Study& study, const std::vector<Row>& rows);
-/// The table and the plots for suture_study_plot. Local.
+/// The table and the plots for suture_plot. Local.
 std::string tableJson(const Study& study, const std::vector<Row>& rows);
 
 }  // namespace suture::study

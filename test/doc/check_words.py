@@ -28,7 +28,7 @@ TURNS = [
     (r'\bgo(es)? over into\b', 'continue'),
     (r'\bbeliev(e|es|ed|ing)\b', 'assumed, predicted, trusted'),
     (r'(^|[.:;] )(Who|Whoever|Whose|By what)\b(?! [^.?!]*\?)', 'subject first: the noun or verb that is documented'),
-    (r'\bfor what\b(?! [^.?!]*\?)', 'the noun'),
+    (r'\bfor what\b(?! in\b|, )(?! [^.?!]*\?)', 'the noun'),
     (r'\bfolder of (its|their) own\b', 'its own folder'),
     (r'\bas it were\b|\bso to speak\b', '(delete)'),
     (r'\brounding\b(?! mode| error)', 'round-off'),
@@ -38,7 +38,8 @@ OPENINGS = [(r'^(Of|What|Whoever|Who|By what|Whose) ', 'subject first: the noun 
 
 PAGES = ['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'doc', 'packages', 'input', 'packaging', 'python', 'drivers']
 SKIPPED = {'build', 'build-dev', '.git', '__pycache__'}
-EXEMPT = {'test/doc/check_words.py', 'doc/style.md'}  # they quote the turns
+EXEMPT = {'test/doc/check_words.py', 'test/doc/planted_words.py', 'doc/style.md'}  # they quote the turns
+CONTRACTED = ['subdomains with physics of their own']  # names in tables that scripts rely on (doc/contract.md)
 
 
 def files(source, paths, everything):
@@ -118,6 +119,8 @@ def main():
     counts, found = {}, 0
     for file, relative in files(options.source.resolve(), options.paths, options.all):
         for line, text, is_comment in pieces(file, relative, options.all):
+            if text in CONTRACTED:
+                continue
             for pattern, plain in turns + (openings if is_comment else []):
                 for match in pattern.finditer(text):
                     found += 1

@@ -13,7 +13,7 @@ class Picture:
     path: Path = None
 
 
-def told(left_out):
+def note_on(left_out):
     """A sentence on names that a plot does not show."""
     if not left_out:
         return ""

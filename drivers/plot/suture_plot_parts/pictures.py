@@ -4,7 +4,7 @@ from .curves import convergence_figure, probe_figure
 from .deformation import deformation_figure
 from .friction import friction_caption
 from .mesh import mesh_figure
-from .picture import Picture, told
+from .picture import Picture, note_on
 from .region import region_of_interest
 from .scene import scene_figure
 from .space.pages import pages_in_space
@@ -33,7 +33,7 @@ def pictures(run, factor=None, zoom=None, view=None, cut=None):
     if run.steps:
         figure, left_out = steps_figure(run)
         yield Picture("steps", "steps", "Contact forces on side B, states of the pairs at the end of each load step, and accumulated work, over "
-                      "time." + told(left_out), figure)
+                      "time." + note_on(left_out), figure)
     if run.history:
         yield Picture("convergence", "convergence", "Residual, conjugate gradient iterations (PCG) and pairs that changed between open and closed, "
                       "for each outer iteration." + (" Vertical lines: ends of load steps." if run.steps else ""), convergence_figure(run))
@@ -48,10 +48,10 @@ def plane_pages(run, factor, zoom):
     figure, left_out = scene_figure(run)
     yield Picture("scene", "mesh", "Orange: loads. Green: supports; an open triangle holds the displacement in one direction, a filled one in "
                   "both; hollow arrows are prescribed displacements. Thick lines: contact sides, each drawn just inside its own body. The length "
-                  "of arrows has no meaning." + told(left_out), figure)
+                  "of arrows has no meaning." + note_on(left_out), figure)
     figure, left_out = mesh_figure(run)
     yield Picture("mesh", "mesh", "Subdomains in different colours, and named sides. Subdomain names without enough space are left out." +
-                  told(left_out), figure)
+                  note_on(left_out), figure)
     figure, used, drawn_in = deformation_figure(run, factor)
     seem = "" if used == 1 else (f" Displacements are enlarged {used:g} times, so bodies may seem to overlap or separate: the true gaps are "
                                  "in the section on contact.")

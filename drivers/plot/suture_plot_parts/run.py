@@ -59,7 +59,7 @@ class RunFolder:
         path = self.folder / "summary.json"
         if not path.is_file():
             if (self.folder / "study.json").is_file():
-                raise PlotError(f"'{folder}' is the folder of a study: use 'suture_study_plot {folder}', or this program for its single runs")
+                raise PlotError(f"'{folder}' is the folder of a study: 'suture_plot {folder}' plots it")
             if (self.folder / "summary.previous.json").is_file():
                 raise PlotError(f"'{folder}' has no summary.json: its last run did not finish (summary.previous.json is of the run before)")
             raise PlotError(f"'{folder}' has no summary.json: is it the output folder of a finished run (suture_solve SCENE.xml --output DIR)?")

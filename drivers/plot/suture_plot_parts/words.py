@@ -123,8 +123,8 @@ class Contact:
 
     def coupling(self):
         wanted = self.given.get("Coupling", "Automatic")
-        told = [note for note in self.run.summary.get("notes", []) if f"'{self.name}'" in note and "mortar" in note]
-        return "mortar (nodes do not match)" if told and wanted == "Automatic" else wanted.lower()
+        notes = [note for note in self.run.summary.get("notes", []) if f"'{self.name}'" in note and "mortar" in note]
+        return "mortar (nodes do not match)" if notes and wanted == "Automatic" else wanted.lower()
 
 
 def contacts(run):

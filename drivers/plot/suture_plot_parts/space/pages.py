@@ -1,7 +1,7 @@
 """All plots of a 3D run, with their captions."""
 from ..deformation import enlargement
 from ..friction import has_friction
-from ..picture import Picture, told
+from ..picture import Picture, note_on
 from ..stresses import taken_at
 from .contact_page import contact_figures
 from .contact_surface import contact_names, contact_surfaces
@@ -19,9 +19,9 @@ def pages_in_space(run, factor, view, cut):
     scene = Scene(run, Surface(run.fields), enlargement(run, factor), view_from(view or DEFAULT))
     figure, left_out = scene_figure(scene)
     yield Picture("scene", "mesh", "Orange: surfaces of loads. Green: surfaces of supports. Outlines: contact surfaces, dashed where "
-                  "bodies hide them. The length of arrows has no meaning." + told(left_out), figure)
+                  "bodies hide them. The length of arrows has no meaning." + note_on(left_out), figure)
     figure, left_out = mesh_figure(scene)
-    yield Picture("mesh", "mesh", "Subdomains in different colours, and the sides of the elements." + told(left_out), figure)
+    yield Picture("mesh", "mesh", "Subdomains in different colours, and the sides of the elements." + note_on(left_out), figure)
     seem = "" if scene.factor == 1 else (f" Displacements are enlarged {scene.factor:g} times, so bodies may seem to overlap or "
                                          "separate: the true gaps are in the section on contact.")
     figure, drawn_in = deformation_figure(scene)
