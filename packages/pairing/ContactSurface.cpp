@@ -6,28 +6,44 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace suture {
 
 namespace {
 
-/// Finds contacts with a side that another face already contains.
+/// Finds sides that meet the same body in several contacts: their pairs would be there twice. One side may meet different bodies, as a
+/// base on which two blocks stand.
 class Taken {
  public:
-  void claim(const Mesh& mesh, const ContactFace& face, const std::string& path, Problems& problems) {
+  /// \param partner  bodies of the other face, ascending; none: an obstacle
+  void claim(const Mesh& mesh, const ContactFace& face, const std::vector<int>& partner, const std::string& path, Problems& problems) {
     std::string other;
     for (const Side& side : sidesOf(mesh.sideGroups, face.groups)) {
-      const auto [at, isNew] = pathOf_.emplace(std::make_pair(side.element, side.side), path);
-      if (!isNew) other = at->second;
+      std::vector<Claim>& claims = claimsOf_[{side.element, side.side}];
+      for (const Claim& before : claims)
+        if (meets(before.partner, partner)) other = before.path;
+      claims.push_back({path, partner});
     }
     if (!other.empty())
       problems.add(path, face.name() + (face.groups.size() > 1 ? " lie" : " lies") + ", entirely or partly, also in " + other +
-                             "; a side may be in one contact only");
+                             "; a side may meet a body, or an obstacle, in one contact only");
   }
 
  private:
-  std::map<std::pair<int, int>, std::string> pathOf_;  // (element, side)
+  struct Claim {
+    std::string path;
+    std::vector<int> partner;
+  };
+  static bool meets(const std::vector<int>& a, const std::vector<int>& b) {
+    if (a.empty() || b.empty()) return a.empty() == b.empty();
+    std::vector<int> both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return !both.empty();
+  }
+
+  std::map<std::pair<int, int>, std::vector<Claim>> claimsOf_;  // by element and side
 };
 
 /// Checks that each face has groups, or that an obstacle replaces face B.
@@ -131,8 +147,8 @@ std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Conta
     } else if (bodies.size() == 1 && bodies == surface.b.bodies) {
       problems.add(pathB, surface.b.name() + " is on the body '" + mesh.bodies[bodies[0]] + "', like Side A; a contact needs two bodies");
     } else {
-      taken.claim(mesh, surface.a, pathA, problems);
-      taken.claim(mesh, surface.b, pathB, problems);
+      taken.claim(mesh, surface.a, surface.b.bodies, pathA, problems);
+      taken.claim(mesh, surface.b, surface.a.bodies, pathB, problems);
     }
     if (problems.list().size() == before) surfaces.push_back(std::move(surface));
   }

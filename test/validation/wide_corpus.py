@@ -13,6 +13,7 @@ import corpus_runs  # noqa: E402
 import friction_corpus  # noqa: E402
 import wide_scenes  # noqa: E402
 
+LIMIT = 300   # seconds of a run: Monolithic takes 170 for seed 765
 SAME = 1e-6   # relative: energy, forces of contacts and of pairs
 ENDS = (0, 3, 4)
 FAILED = ("hang", "bug", "exit codes differ", "WRONG")
@@ -35,6 +36,9 @@ def judge(scene, one, three, reference):
     worst = [max(values) for values in zip(*(friction_corpus.apart(solved[0], run, rounding) for run in solved))]
     remark = "energy %.1e, contacts %.1e, pairs %.1e" % tuple(worst)
     if max(worst) > SAME:
+        # A step that a solver does not find is halved, and the answer with friction is that of the path with this step in it.
+        if len({tuple(step["time"] for step in (run.summary.get("load_steps") or {"steps": []})["steps"]) for run in solved}) > 1:
+            return "other load steps", remark
         # Bounds without pressure are lost where a pair opens, and large coefficients have several answers.
         laws = [contact["law"] for contact in scene.contacts]
         opens = any(run.summary["contact"]["active"] < run.summary["contact"]["pairs"] for run in solved)
@@ -51,7 +55,8 @@ def play(options, seed):
     folder = os.path.join(options.output, "s%d" % seed)
     scene.write(folder)
     run = lambda name, ranks, more=(): friction_corpus.Run(
-        [*(options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []), options.solve], folder, name, ["Outer Solver/Tolerance=1e-10", *more])
+        [*(options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []), options.solve], folder, name,
+        ["Outer Solver/Tolerance=1e-10", *more], LIMIT)
     one, three = run("one", 1), run("three", 3)
     reference = run("monolithic", 1, ["Outer Solver/Type=Monolithic"])
     kind, remark = judge(scene, one, three, reference)

@@ -24,6 +24,16 @@ def number(text):
         return None
 
 
+# Columns that every study can have, with their units (input/studies/README.md).
+WORDS = {"seconds": "total time [s]", "solve_seconds": "time of the solve [s]", "setup_seconds": "time of the setup [s]",
+         "peak_mb": "peak memory per process [MB]", "dofs": "unknowns", "pcg": "PCG iterations", "outer_pcg": "PCG iterations of the outer steps"}
+
+
+def words(column):
+    """Title of an axis or a panel."""
+    return WORDS.get(column, column.replace("_", " "))
+
+
 class Table:
     """Runs of a study: `rows` with a solution, `failed` without."""
 
@@ -153,8 +163,8 @@ def study_figure(table, plot):
                 panel.vlines(x, [p[2] for p in points], [p[3] for p in points], color=colours[label], linewidth=2.5, alpha=0.4)
         if plot.get("pareto"):
             mark_front(panel, table, plot, column, place)
-        panel.set_title(column.replace("_", " "), loc="left", pad=10)
-        panel.set_xlabel(plot["x"].replace("_", " "))
+        panel.set_title(words(column), loc="left", pad=10)
+        panel.set_xlabel(words(plot["x"]))
         ticks_of(panel, plot, place, ticks, width)
         if plot["logarithmic_y"] and any(drawn.values()):
             panel.set_yscale("log")
