@@ -7,7 +7,7 @@ from pathlib import Path
 from runs import ROOT, command_of, configurations, execute, fail, has_mesh, measure, mesh_of
 
 SIZES = ["10k", "100k"]
-COUNT = 2  # iterations more or less
+COUNT = 2  # allowed difference of iterations
 INSTRUCTIONS = 1.03
 CELLS = (48, 384)
 ALLOCATIONS, VIEWS = 1.1, 512  # of the smaller problem's bytes, and bytes: a vector of the larger one has 40,000
@@ -24,7 +24,7 @@ COUNTED = {  # scene, boxes, tolerance of the linear problem; what is set
 
 
 def counts_now(options):
-    """Iterations of every scene on one and two ranks, and the elements they belong to."""
+    """Iterations of every scene on one and two ranks, with the number of elements."""
     runs = {name: run for name, run in configurations().items() if name.startswith("suture")}
     counts = {}
     for scene in options.scenes:
@@ -37,7 +37,7 @@ def counts_now(options):
 
 
 def instructions_now(options):
-    """Instructions of one small run within solveScene (loading libraries would be half of all), by callgrind; None without valgrind."""
+    """Instructions of one small run within solveScene (loading libraries would double them), by callgrind; None without valgrind."""
     if not shutil.which("valgrind"):
         return None
     mesh = mesh_of("tunnel", "10k", options)
@@ -50,9 +50,8 @@ def instructions_now(options):
 
 
 def allocations_now(options):
-    """Bytes that an iteration of conjugate gradients takes from the heap beside the one vector that it keeps (InterfaceOperator::record), of
-    linear problems with few and with many cells in as many subdomains: two runs, one of which ends earlier, under glibc's counting
-    library."""
+    """Heap bytes per conjugate gradient iteration in addition to the one vector that it keeps (InterfaceOperator::record), for linear problems
+    with few and with many cells in the same number of subdomains: two runs, one of which ends earlier, under glibc's counting library."""
     folder = options.output / "runs" / "allocations"
     taken = {}
     for name, (scene, boxes, tolerance, chosen) in COUNTED.items():
@@ -77,7 +76,7 @@ def allocations_now(options):
 
 
 def grown(allocations):
-    """One line for each case whose iteration takes more memory of the larger problem: what grows with it is not kept."""
+    """One line for each case whose iteration takes more memory in the larger problem: some work array is not kept."""
     wrong = []
     for name in COUNTED:
         small, large = (allocations[name, cells] for cells in CELLS)
@@ -88,7 +87,7 @@ def grown(allocations):
 
 
 def differences(now, before):
-    """One line for each count that is not what it was."""
+    """One line for each changed count."""
     wrong = []
     for name, counts in now["counts"].items():
         old = before["counts"].get(name)
@@ -110,7 +109,7 @@ def differences(now, before):
 
 
 def guard(options):
-    """Compares with the baseline, or writes it; 1 when something differs."""
+    """Compares with the baseline, or writes it; returns 1 if a count differs."""
     path = Path(options.guard)
     if not options.write_baseline and not path.exists():
         fail(f"no such baseline: {path}; --write-baseline makes it")

@@ -1,4 +1,4 @@
-"""Tables and lines of what bench.json holds."""
+"""Tables and text from bench.json."""
 import statistics
 
 from figures import verdict
