@@ -3,7 +3,7 @@ import statistics
 
 from runs import GEOMETRY, PLANE, PRESS, SIZES, is_bonded, is_reference
 
-# Scenes, figure, size, compared quantity, limit (-: upper limit), target.
+# Scenes, figure, size, compared quantity, required value and target (negative: upper limits).
 FIGURES = [
     (PLANE, "all phases against the reference", "1M", "all_phases", 2.0, 3.0),
     (PLANE, "all phases against the reference, mesh cut beforehand", "1M", "all_phases_cut", 2.0, 3.0),

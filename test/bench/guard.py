@@ -80,9 +80,9 @@ def grown(allocations):
     wrong = []
     for name in COUNTED:
         small, large = (allocations[name, cells] for cells in CELLS)
-        print(f"allocations: {name}, {small} and {large} bytes an iteration with {CELLS[0]} and {CELLS[1]} cells a side")
+        print(f"allocations: {name}, {small} and {large} bytes per iteration with {CELLS[0]} and {CELLS[1]} cells per side")
         if not 0 < large <= ALLOCATIONS * small + VIEWS:  # zero: nothing was counted
-            wrong.append(f"allocations: {name}, {large} bytes an iteration, {small} of the smaller problem")
+            wrong.append(f"allocations: {name}, {large} bytes per iteration, {small} in the smaller problem")
     return wrong
 
 

@@ -42,7 +42,7 @@ def fail(message):
 
 
 def environment(threads=1):
-    """Sets the number of OpenBLAS threads per rank, overriding the caller's environment. One OpenMP thread: more do not speed up CHOLMOD (input/studies/README.md)."""
+    """Sets OpenBLAS threads per rank, overriding the environment. One OpenMP thread: more do not speed up CHOLMOD (input/studies/README.md)."""
     fixed = {"OPENBLAS_NUM_THREADS": str(threads), "OMP_NUM_THREADS": "1"}
     return {**os.environ, **fixed, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 

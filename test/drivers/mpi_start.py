@@ -37,7 +37,7 @@ for way, words in WAYS.items():
           ["init pml=^cm isolated=0", "after pml=^cm isolated=0"])
     check(f"{way}: the user's file wins", seen(way + " file", words, **{**more, "HOME": str(home)}), ["init pml=- isolated=1", "after " + UNSET])
     launched = [*options.mpirun.split(), "-np", "2", *words]
-    check(f"{way}: nothing is set below mpirun", [line.split()[1] for line in seen(way + " mpirun", launched, **more)], ["pml=-", "pml=-"])
+    check(f"{way}: nothing is set under mpirun", [line.split()[1] for line in seen(way + " mpirun", launched, **more)], ["pml=-", "pml=-"])
 if options.python:
     early = WAYS["python"][:-1] + ["from mpi4py import MPI; import suture; print(MPI.COMM_WORLD.size)"]
     check("python: nothing is set where MPI has begun before", seen("early", early, PYTHONPATH=options.python), ["init " + UNSET, "after " + UNSET])

@@ -72,7 +72,7 @@ def figures(ranks):
         # Rigid-body modes of all subdomains, or of those not held by the clamped side.
         coarse = {"None": 0, "Kernels": 3 * blocks * (blocks - 1), "Rigid Modes": 3 * blocks**2}[row["coarse space"]]
         check(name + "coarse", int(row["coarse"]), coarse)
-        check(name + "dofs a subdomain", float(row["per_subdomain"]), 2 * n * (n + 1) / blocks**2)
+        check(name + "dofs per subdomain", float(row["per_subdomain"]), 2 * n * (n + 1) / blocks**2)
         check(name + "resultant of the traction", float(row["pull"]), lambda f: close(f, math.sqrt(2) * 1e-3, 1e-12))
         check(name + "pcg as suture_solve", int(row["pcg"]), lambda k: abs(k - summary["auxiliary"]["iterations"]) <= 1)
         check(name + "condition as suture_solve", row["condition"], lambda c: close(c, summary["auxiliary"]["condition"], 1e-3))

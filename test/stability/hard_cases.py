@@ -139,8 +139,8 @@ def cases():
     # Round-off leaves 1e-10 to 1e-7 of the residual, varying per step: 1e-10 would be met only by chance (once in 47 steps).
     all["upper_harder_1e8"]["tolerance"] = 1e-12
     all["bricks_within_subdomains_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}
-    # Accuracy that double precision holds, at any tolerance. In hard bricks within a subdomain no rigid motion can be told from the
-    # deformation.
+    # Accuracy limit of double precision, at any tolerance. In hard bricks within a subdomain, rigid motion and deformation cannot be
+    # distinguished.
     for name, floor in (("upper_harder_1e8", 1e-6), ("bricks_within_subdomains_1e8", 4e-6)):
         all[name].update(floor=floor, displacement=floor, force=floor)
     all["bricks_metis_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}
