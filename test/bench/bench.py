@@ -39,7 +39,7 @@ def repeated(runs, scene, size, options):
             runs = {name: run for name, run in runs.items() if name == best or not is_reference(name)}
         for name in runs if repetition % 2 == 0 else reversed(runs):
             results[name].append(measure(name, runs[name], scene, size, mesh, options))
-            if is_bonded(name):  # bandwidth for its iterations, by as many processes, right after them
+            if is_bonded(name):  # bandwidth reference for its iterations, on the same number of processes, right afterwards
                 results[name][-1]["read_gb_s"] = bandwidth(runs[name]["ranks"])["read_median"]
         if scene == "press" and len(others) == repetition:
             others += filter(None, [multigrid(SIZES[size][scene], options)])
@@ -52,7 +52,7 @@ def repeated(runs, scene, size, options):
 def benchmark(options):
     bench = {"machine": machine(), "repetitions": options.repetitions, "versions": {}, "cases": {}, "growth": {}}
     if bench["machine"]["load_before"] > 0.5:
-        print(f"the machine is not quiet (load {bench['machine']['load_before']:.1f}): times and ratios will be off", flush=True)
+        print(f"the machine is busy (load {bench['machine']['load_before']:.1f}): times and ratios are unreliable", flush=True)
     bench["bandwidth_gb_s"] = {"one process": bandwidth(1), "two processes": bandwidth(2)}
     differing = []
     for size in options.sizes:
@@ -100,11 +100,11 @@ def main():
     if options.write_baseline and not options.guard:
         fail("--write-baseline needs --guard FILE")
     if not options.guard and not options.check_only and not importlib.util.find_spec("numpy"):  # otherwise workers die and the pool hangs
-        fail(f"{sys.executable} has no numpy, which the memory bandwidth is measured with; /usr/bin/python3 has, after bootstrap.sh")
+        fail(f"{sys.executable} has no numpy, which the bandwidth measurement needs; /usr/bin/python3 has it after bootstrap.sh")
     if options.check_only:
         path = options.output / "bench.json"
         if not path.exists():
-            fail(f"no such file: {path}; a run without --check-only makes it")
+            fail(f"no such file: {path}; create it by a run without --check-only")
         report(json.loads(path.read_text()), options)
         return 0
     options.output.mkdir(parents=True, exist_ok=True)

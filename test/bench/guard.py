@@ -13,7 +13,7 @@ CELLS = (48, 384)
 ALLOCATIONS, VIEWS = 1.1, 512  # of the smaller problem's bytes, and bytes: a vector of the larger one has 40,000
 SQUARE = ("input/studies/square.xml", ["square"], "Outer Solver/Tolerance")
 GROUPS = ("input/long_contact/long_contact.xml", ["upper", "lower"], "Outer Solver/Semismooth Newton/Inner Tolerance")
-COUNTED = {  # scene, boxes, tolerance of the linear problem; what is set
+COUNTED = {  # scene, boxes, tolerance of the linear problem; settings
     "BDDC": (*SQUARE, []),
     "coarse level": (*SQUARE, ["Preconditioner/BDDC/Coarse Level Above=1", "Preconditioner/BDDC/Coarse Clusters=4"]),
     "Neumann-Neumann": (*SQUARE, ["Preconditioner/Type=Neumann-Neumann"]),
@@ -46,7 +46,7 @@ def instructions_now(options):
     text = execute(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=suture::solveScene*", *command],
                    extra=kernels)
     found = re.search(r"Collected\s*:\s*(\d+)", text)
-    return int(found.group(1)) if found and found.group(1) != "0" else fail(f"callgrind says no count:\n{text[-2000:]}")
+    return int(found.group(1)) if found and found.group(1) != "0" else fail(f"callgrind reports no count:\n{text[-2000:]}")
 
 
 def allocations_now(options):
@@ -65,7 +65,7 @@ def allocations_now(options):
                 text = execute(command, extra={"LD_PRELOAD": "libmemusage.so", "MEMUSAGE_NO_TIMER": "1"}, expected=(0, 4))
                 total = re.search(r"heap total: (\d+)", text)
                 if not total:
-                    fail(f"libmemusage.so says no count:\n{text[-2000:]}")
+                    fail(f"libmemusage.so reports no count:\n{text[-2000:]}")
                 summary = json.loads((folder / "summary.json").read_text())
                 found.append((int(total.group(1)), summary["auxiliary"]["iterations"]))
             (few, first), (many, last) = found
@@ -94,13 +94,13 @@ def differences(now, before):
         if old is None:
             wrong.append(f"{name}: not in the baseline")
         elif old["elements"] != counts["elements"]:
-            wrong.append(f"{name}: another mesh ({counts['elements']} elements, were {old['elements']}): renew the baseline")
+            wrong.append(f"{name}: another mesh ({counts['elements']} elements, was {old['elements']}): write a new baseline")
         else:
             wrong += [f"{name}: {counts[key]} iterations ({key}), were {old[key]}" for key in counts
                       if key != "elements" and abs(counts[key] - old[key]) > COUNT]
     old, new = before["instructions"], now["instructions"]
     if not (old and new):
-        print("instructions: not compared, " + ("the baseline has none" if new else "there is no valgrind"))
+        print("instructions: not compared, " + ("the baseline has none" if new else "valgrind is not installed"))
     else:
         print(f"instructions: {new:,}, {new / old:.4f} of the baseline's")
         if new > INSTRUCTIONS * old:
@@ -112,7 +112,7 @@ def guard(options):
     """Compares with the baseline, or writes it; returns 1 if a count differs."""
     path = Path(options.guard)
     if not options.write_baseline and not path.exists():
-        fail(f"no such baseline: {path}; --write-baseline makes it")
+        fail(f"no such baseline: {path}; create it with --write-baseline")
     now = {"counts": counts_now(options), "instructions": instructions_now(options)}
     if options.write_baseline:
         path.write_text(json.dumps(now, indent=2) + "\n")

@@ -93,7 +93,7 @@ def judge(check, value):
     if "today" in check and not abs(value - check["today"]) <= check.get("drift", DRIFT) * abs(check["today"]):
         wrong.append(f"drifted from {check['today']:.10g}")
     if not any(k in check for k in ("value", "min", "max")):
-        wrong.append("the check compares with nothing")
+        wrong.append("the check has no reference")
     return ", ".join(wrong)
 
 

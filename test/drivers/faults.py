@@ -118,7 +118,7 @@ if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4m", "none", str(disk)], 
 else:
     print("skipped: no right to mount a small disk")
 
-# Too little address space is refused; the program never retries for ever.
+# Too little address space is refused; the program never retries endlessly.
 for megabytes in () if SANITIZED else (500, 700, 900, 1200, 1600, 2400) if options.all else (500, 2400):
     size = megabytes << 20
     code, text, seconds = run(1, OPEN, "--quiet", *setting("Mesh/Constants/scale", 0.35 if options.all else 0.6), "--output", work / "little",

@@ -165,7 +165,7 @@ with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
     largest = np.abs(np.outer(*[figures.rotation(3, **turn)[:, 2]] * 2)).max()
     check("stress wrong by a hundredth", figures.figure("patch.stressError", one, **turn), 0.01 * largest)
     if not figures.figure("patch.contractionError", one, below=2e6, above=4e6, **turn) > 1e-3:
-        wrong.append("a displacement that is wrong by a hundredth passes")
+        wrong.append("a displacement with an error of 1 % passes")
 
     moved(one, np.random.default_rng(3))
     moved(two, np.random.default_rng(4), length=1000.0, times=7.0, shift=(1700, -500, 900), angle=ANGLE)
@@ -173,7 +173,7 @@ with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
     for name in ("displacement", "force"):
         check(f"metamorphic {name}", figures.figure(f"metamorphic.{name}", two, one, times=7, **motion), 0, 1e-10)
         if not figures.figure(f"metamorphic.{name}", two, one, times=7.001, **motion) > 1e-5:
-            wrong.append(f"metamorphic {name} does not see a thousandth")
+            wrong.append(f"metamorphic {name} does not detect 0.1 %")
     check("metamorphic status", figures.figure("metamorphic.status", two, one, **motion), 0)
     check("places that were not turned back", figures.figure("metamorphic.displacement", two, one, times=7, length=1000), math.inf)
 
