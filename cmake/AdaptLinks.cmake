@@ -1,6 +1,6 @@
-# cmake -DSOURCE=<root> -DOUTPUT=<folder> -DDOC=<share/doc/suture> -DSHARE=<share/suture> -P AdaptLinks.cmake: writes what is installed for reading
-# into OUTPUT/doc and OUTPUT/share, and makes the links of its Markdown files lead to where their targets are installed. A link to a header
-# becomes the name that a program includes; one to a file that is not installed (a test, a source) becomes its text.
+# cmake -DSOURCE=<root> -DOUTPUT=<folder> -DDOC=<share/doc/suture> -DSHARE=<share/suture> -P AdaptLinks.cmake: writes the documents to install
+# into OUTPUT/doc and OUTPUT/share, and redirects the links of their Markdown files to the installed targets. A link to a header becomes its
+# include name; a link to a file that is not installed (a test, a source) becomes its text.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${OUTPUT})
 file(GLOB pages RELATIVE ${SOURCE} ${SOURCE}/README.md ${SOURCE}/CHANGELOG.md ${SOURCE}/CONTRIBUTING.md ${SOURCE}/CITATION.cff ${SOURCE}/LICENSE ${SOURCE}/packages/README.md ${SOURCE}/packages/*/README.md
@@ -8,7 +8,7 @@ file(GLOB pages RELATIVE ${SOURCE} ${SOURCE}/README.md ${SOURCE}/CHANGELOG.md ${
 file(GLOB_RECURSE more RELATIVE ${SOURCE} ${SOURCE}/doc/*.md ${SOURCE}/doc/schema/* ${SOURCE}/doc/tutorials/* ${SOURCE}/input/* ${SOURCE}/drivers/examples/*)
 list(APPEND pages ${more})
 list(REMOVE_DUPLICATES pages)
-# Runs leave folders beside the scenes, builds beside the examples; the suffixes are those of files that somebody wrote.
+# Runs leave folders next to the scenes, builds next to the examples; the suffixes select source files.
 list(FILTER pages EXCLUDE REGEX "(_out|/build|/__pycache__|^doc/html)/")
 list(FILTER pages INCLUDE REGEX "\\.(md|xml|geo|msh|h5|json|png|svg|py|cpp|hpp|txt|cff)$|^LICENSE$")
 
@@ -38,7 +38,7 @@ function(adapt text_out page text)
     string(FIND "${text}" ")" end)
     string(SUBSTRING "${text}" 0 ${end} link)
     string(REGEX REPLACE "[# ].*" "" target "${link}")
-    # What names no file of the checkout is an address, a part of the same page or code.
+    # A target that is no file of the checkout is an address, a part of the same page or code.
     if(target STREQUAL "" OR target MATCHES "[\n:&*]" OR NOT EXISTS ${folder}/${target})
       string(APPEND done "${before}](")
       continue()

@@ -1,11 +1,11 @@
-# cmake -DSOURCE=<root> -DHEADER=<file> -P Version.cmake: writes the commit of the checkout into a header, and touches it only if it has
-# changed, so that one small source is compiled again after a commit and nothing after none.
+# cmake -DSOURCE=<root> -DHEADER=<file> -P Version.cmake: writes the commit of the checkout into a header, only if it has
+# changed: only a new commit triggers the compilation of one small source.
 set(commit "unknown")
-# A source tree unpacked inside some other project's checkout must not take that one's commit.
+# A source tree unpacked inside another project's checkout must not use that project's commit.
 if(EXISTS ${SOURCE}/.git)
   find_program(GIT git)
   if(GIT)
-    # No optional locks: a build must not be in the way of somebody committing at the same time.
+    # No optional locks: a build must not block a concurrent commit.
     execute_process(COMMAND ${GIT} --no-optional-locks -C ${SOURCE} describe --always --abbrev=7 --exclude=* --dirty=+
       OUTPUT_VARIABLE found OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
     if(NOT failed AND found MATCHES "^[0-9a-f]+\\+?$")

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Everything from a bare Debian 12 to a result, in one command, from any folder and without a terminal:
+# From a bare Debian 12 to a result in one command, from any folder and without a terminal:
 #   sh cmake/bootstrap.sh run     install what is missing, build, solve the tunnel scene on two ranks and draw it
-#   sh cmake/bootstrap.sh build   install what is missing and build library, programs and Python package into build/: all that cmake --install needs
-#   sh cmake/bootstrap.sh test    build and run all tests but those labelled long
+#   sh cmake/bootstrap.sh build   install what is missing and build library, programs and Python package into build/, as cmake --install needs
+#   sh cmake/bootstrap.sh test    build and run all tests except those labelled long
 #   sh cmake/bootstrap.sh validate  build, run all validation cases and 5,000 random scenes, write build/validation/validation.md; half an hour
 #   sh cmake/bootstrap.sh doc     write the documentation as HTML into build/doc/html; compiles nothing
 #   sh cmake/bootstrap.sh bench   build and measure against the monolithic reference; long (test/bench/README.md)
@@ -20,7 +20,7 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 cd "$root"
 build=${BUILD:-build}
 
-# Names of Debian 12. Trilinos' CMake configuration wants the components it was built with, and the libraries that they link.
+# Names in Debian 12. Trilinos' CMake configuration requires the components it was built with, and the libraries that they link.
 packages="g++ cmake ninja-build ccache git pkg-config openmpi-bin libopenmpi-dev
   libtrilinos-tpetra-dev libtrilinos-belos-dev libtrilinos-amesos2-dev libtrilinos-teuchos-dev libtrilinos-kokkos-dev
   libtrilinos-kokkos-kernels-dev libtrilinos-trilinosss-dev libtrilinos-epetra-dev libtrilinos-epetraext-dev libtrilinos-triutils-dev
@@ -47,7 +47,7 @@ asRoot() {
 
 install() { asRoot env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "$@" </dev/null; }
 
-# A distribution without dpkg gets no packages from here; configuring tells what it lacks.
+# Without dpkg no packages are installed; CMake reports missing dependencies.
 installMissing() {
   command -v dpkg-query >/dev/null 2>&1 || return 0
   # shellcheck disable=SC2086  # a list of words
@@ -58,7 +58,7 @@ installMissing() {
   done
   [ -n "$missing" ] || return 0
   echo "bootstrap: installing$missing"
-  # The lists may be missing or older than the archive: they are fetched only when they are absent or the installation fails with them.
+  # Package lists may be missing or outdated: fetch them only if absent or if the installation fails.
   # shellcheck disable=SC2086
   if ! apt-cache show libtrilinos-tpetra-dev >/dev/null 2>&1 || ! install $missing; then
     asRoot apt-get update -q </dev/null
@@ -67,9 +67,9 @@ installMissing() {
   fi
 }
 
-# getconf, not nproc: that one believes OMP_NUM_THREADS.
+# getconf, because nproc obeys OMP_NUM_THREADS.
 configureAndBuild() {
-  # A build folder that exists keeps its options.
+  # An existing build folder keeps its options.
   if [ -f "$build/CMakeCache.txt" ]; then
     cmake -S . -B "$build" </dev/null
   else
@@ -78,7 +78,7 @@ configureAndBuild() {
   cmake --build "$build" --parallel "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" "$@" </dev/null
 }
 
-# The tests take as long again to build, and nobody asked for them.
+# Building the tests would double the time, and they are not needed here.
 programs="--target suture_solve suture_study suture_partition_program suture_schema suture_new suture_plot_script suture_convert_script"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a container has no other user
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1                  # the ranks are the parallelism

@@ -1,5 +1,5 @@
-# Packages of Debian, from the build folder: cpack -G DEB. suture: programs, library, guide, scenes; suture-dev: headers, CMake and pkg-config;
-# python3-suture: what is installed with COMPONENT python, if anything is.
+# Debian packages, from the build folder: cpack -G DEB. suture: programs, library, guide, scenes; suture-dev: headers, CMake and pkg-config;
+# python3-suture: files installed with COMPONENT python, if any.
 set(CPACK_PACKAGE_NAME suture)
 set(CPACK_PACKAGE_VENDOR "The Suture authors")
 set(CPACK_PACKAGE_CONTACT "The Suture authors <maintainers@users.noreply.h-seed-0caebacc.example>")
@@ -33,10 +33,10 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "python3-meshio, python3-netcdf4")  
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/deb/prerm)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "suture-dev, gmsh, paraview")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "elastic bodies in contact, solved by domain decomposition
-Where bodies touch, how hard they press, what the stresses are: plane, axisymmetric or in space, small strains, with and without friction, in parallel
+Contact areas, contact pressures and stresses: plane, axisymmetric or 3D, small strains, with and without friction, in parallel
 by MPI. Programs, library, guide and scenes. As a binary it is under the GPL, by CHOLMOD's supernodal module and Gmsh.")
 
-# Debian's configuration of Trilinos wants the components that it was built with; cmake/bootstrap.sh names them.
+# Debian's configuration of Trilinos requires the components it was built with; cmake/bootstrap.sh lists them.
 file(STRINGS ${CMAKE_SOURCE_DIR}/cmake/bootstrap.sh lines REGEX "-dev")
 string(REGEX MATCHALL "(libtrilinos-[a-z0-9-]+|libptscotch|libmumps|libeigen3|libopenmpi)-dev" names "${lines}")
 list(REMOVE_DUPLICATES names)
@@ -56,7 +56,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "suture (= ${PROJECT_VERSION}), python3,
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "contact of elastic bodies: Suture from Python
 Scenes from files or dictionaries, solved on an mpi4py communicator, answers as numpy arrays.")
 
-# Each package has its copyright; a plain `cmake --install` has LICENSE.
+# Each package has its copyright file; a plain `cmake --install` installs LICENSE.
 file(READ ${CMAKE_SOURCE_DIR}/LICENSE text)
 string(REGEX REPLACE "^[^\n]*\n\n[^\n]*\n\n" "" text "${text}")
 string(REGEX REPLACE "\n\n" "\n.\n" text "${text}")

@@ -1,5 +1,5 @@
-# Everything Suture links to, as imported targets: suture::trilinos, suture::intrepid2, suture::cholmod, suture::metis, suture::gmsh,
-# suture::muparser, suture::hdf5, suture::eigen, suture::blas. Headers of others are SYSTEM: our warnings are about our code.
+# All dependencies of Suture as imported targets: suture::trilinos, suture::intrepid2, suture::cholmod, suture::metis, suture::gmsh,
+# suture::muparser, suture::hdf5, suture::eigen, suture::blas. Their headers are SYSTEM, so that warnings concern only our code.
 
 find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(Trilinos REQUIRED COMPONENTS Tpetra Belos Amesos2 Teuchos Intrepid2)
@@ -7,8 +7,8 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
-# Libraries of Trilinos whose symbols headers of Suture use. Debian's targets are named trilinos_<library>, those of a Trilinos built from its
-# sources <library>. Debian's carry no include directories.
+# Trilinos libraries whose symbols are used by Suture's headers. Debian's targets are named trilinos_<library>, those of a Trilinos built from
+# source <library>. Debian's carry no include directories.
 set(SUTURE_TRILINOS_LIBRARIES belostpetra belos amesos2 tpetra kokkoscore teuchosparameterlist teuchosparser teuchosnumerics teuchoscomm teuchoscore)
 set(intrepid2 intrepid2 shards)
 if(TARGET trilinos_tpetra)
@@ -44,8 +44,8 @@ if(SUTURE_GMSH)
   suture_find_library(gmsh HEADER gmsh.h LIBRARIES gmsh)
 endif()
 
-# Only its run-time functions, for telling CHOLMOD's loops not to spawn threads: no flag, or Eigen would begin to. CHOLMOD's library is GNU's,
-# and a second one, Clang's own, would be told in vain.
+# Only the OpenMP run-time functions, to keep CHOLMOD's loops from spawning threads; with the compiler flag Eigen would spawn them. CHOLMOD uses
+# GNU's library; calls to Clang's own library would have no effect on it.
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   set(OpenMP_CXX_FLAGS "-fopenmp=libgomp" CACHE STRING "OpenMP as CHOLMOD has it")
   set(OpenMP_CXX_LIB_NAMES "gomp" CACHE STRING "OpenMP as CHOLMOD has it")

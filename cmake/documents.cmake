@@ -1,6 +1,6 @@
 # The guide, the scenes and the examples of plugins. Scenes and examples lie in share/suture as in the checkout, documents in share/doc/suture, and
-# share/suture/doc leads to them: with SUTURE=<prefix>/share/suture every command of the guide runs.
-# Links are adapted when it is installed: AdaptLinks.cmake.
+# share/suture/doc links to them: with SUTURE=<prefix>/share/suture every command of the guide runs.
+# Links are adapted at installation: AdaptLinks.cmake.
 set(SUTURE_SHARE ${CMAKE_INSTALL_DATADIR}/suture)
 set(documents ${CMAKE_BINARY_DIR}/documents)
 install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DSOURCE=${CMAKE_SOURCE_DIR}\" \"-DOUTPUT=${documents}\"

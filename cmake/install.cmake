@@ -1,5 +1,5 @@
-# Installation in components. runtime: libsuture.so, the programs, guide and scenes; dev: headers and what find_package(Suture) and pkg-config
-# need; python: what python/ installs with COMPONENT python. A project downstream links Suture::suture and gets Trilinos, MPI and Eigen with it.
+# Installation in components. runtime: libsuture.so, the programs, guide and scenes; dev: headers and the files of find_package(Suture) and
+# pkg-config; python: files that python/ installs with COMPONENT python. A downstream project links Suture::suture and gets Trilinos, MPI and Eigen with it.
 include(CMakePackageConfigHelpers)
 
 if(CMAKE_INSTALL_DOCDIR STREQUAL "${CMAKE_INSTALL_DATAROOTDIR}/doc/${PROJECT_NAME}")
@@ -13,12 +13,12 @@ foreach(target options trilinos eigen)
 endforeach()
 install(TARGETS suture suture_options suture_trilinos suture_eigen EXPORT SutureTargets LIBRARY COMPONENT runtime NAMELINK_COMPONENT dev)
 install(EXPORT SutureTargets NAMESPACE Suture:: DESTINATION ${SUTURE_CONFIG_DIR} COMPONENT dev)
-# Beside the headers of base, so that sources of this tree include it in the same way.
+# Next to the headers of base, so that sources of this tree include it in the same way.
 configure_file(${CMAKE_SOURCE_DIR}/cmake/Version.hpp.in ${CMAKE_BINARY_DIR}/include/base/suture/Version.hpp @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/include/base/suture/Version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture COMPONENT dev)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 
-# The programs find the library beside themselves, wherever the folder is moved to.
+# The programs find the library relative to themselves, so that the folder can be moved.
 file(RELATIVE_PATH suture_bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
 foreach(program suture_solve suture_study suture_partition_program suture_schema suture_new)
   if(TARGET ${program})
@@ -35,12 +35,12 @@ endif()
 if(TARGET suture_mesher)
   install(TARGETS suture_mesher DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
 endif()
-# bash looks for a file with the name of the command.
+# bash looks for a file named like the command.
 foreach(program suture_solve suture_study suture_partition suture_schema suture_new suture_plot suture_study_plot suture_convert)
   install(FILES ${CMAKE_SOURCE_DIR}/drivers/completion/suture.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
 endforeach()
 
-# What `cmake --install` needs, and no test: bootstrap.sh build makes this target. test/install asks that nothing is missing in it.
+# All that `cmake --install` needs, without tests: bootstrap.sh build makes this target. test/install checks that it is complete.
 add_custom_target(suture_installed)
 foreach(target suture suture_mesher suture_solve suture_study suture_partition_program suture_schema suture_new suture_plot_script
     suture_convert_script suture_python suture_python_sources)

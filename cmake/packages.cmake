@@ -1,8 +1,8 @@
-# The packages in the order in which data flows. A package may include only packages to its left: each is a target of its own whose
-# include path holds its predecessors and nothing else, so that a wrong #include does not compile. All of them make one libsuture.so.
+# The packages in the order of the data flow. A package may include only packages to its left: each is a separate target whose include
+# path has only its predecessors, so that a wrong #include does not compile. All packages together make one libsuture.so.
 set(SUTURE_ALL_PACKAGES base algebra mesh reader pairing constraints partition elasticity quality subdomain contact interface precond solver solvability reference report simulation)
 set(SUTURE_LAST_PACKAGE "" CACHE STRING "The last package to build, for work on a leading part of the list; empty: all")
-# Not in the cache: a build folder of an older version must not keep that version's list.
+# Not cached: a build folder of an older version must not keep the old list.
 set(SUTURE_PACKAGES ${SUTURE_ALL_PACKAGES})
 if(SUTURE_LAST_PACKAGE)
   list(FIND SUTURE_ALL_PACKAGES "${SUTURE_LAST_PACKAGE}" last)

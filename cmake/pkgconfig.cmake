@@ -1,5 +1,5 @@
 # suture.pc, for projects that do not use CMake: c++ -std=c++17 a.cpp $(pkg-config --cflags --libs suture). Headers of Suture instantiate templates of
-# Tpetra and Teuchos, so that their libraries and MPI stand in Libs, not in Libs.private.
+# Tpetra and Teuchos, so that their libraries and MPI are in Libs, not in Libs.private.
 file(RELATIVE_PATH suture_pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" suture_pc_to_prefix ${suture_pc_to_prefix})
 

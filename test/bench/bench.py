@@ -1,16 +1,16 @@
 #!/usr/bin/python3
-"""Benchmarks: Suture on one and two ranks beside the monolithic reference, in one run and in alternation. README.md explains the figures.
+"""Benchmarks: Suture on one and two ranks against the monolithic reference, run alternately. README.md explains the figures.
 
     test/bench/bench.py                                     scenes tunnel and hertz at 10k, 60k, 100k and 1M unknowns, press
                                                             at 30k, 110k, 360k and 1M, five repetitions
-    test/bench/bench.py --sizes 10k 100k --scenes tunnel    some of them (there is 4M of the plane scenes, too)
-    test/bench/bench.py --check-only                        the figures of the last run again, nothing is run
-    test/bench/bench.py --guard test/bench/baseline.json    compare counts, not seconds; returns 1 when one has grown
+    test/bench/bench.py --sizes 10k 100k --scenes tunnel    a part (4M is available for the 2D scenes)
+    test/bench/bench.py --check-only                        figures of the last run, without running
+    test/bench/bench.py --guard test/bench/baseline.json    compare counts, not seconds; returns 1 if one has grown
     test/bench/bench.py --guard test/bench/baseline.json --write-baseline
 
-Results go to build/bench/: bench.json, bench.md, the meshes and the last output of every run. Returns 1 when a run failed or the energies
-of one scene and size differ by more than 1e-7, or when press has other closed pairs or another force than it must have; times are never a
-reason. Where PETSc is installed (Debian: python3-petsc4py), its multigrid solves press beside Suture.
+Results go to build/bench/: bench.json, bench.md, the meshes and the last output of every run. Returns 1 if a run failed, the energies
+of one scene and size differ by more than 1e-7, or the closed pairs or the force of press are wrong, independent of times. If PETSc is
+installed (Debian: python3-petsc4py), its multigrid also solves press.
 """
 import argparse
 import importlib.util
@@ -30,16 +30,16 @@ SAME_ENERGY = 1e-7
 
 
 def repeated(runs, scene, size, options):
-    """By name, the repetitions of all runs, every other time in reverse order, so that neighbours in time change; those of multigrid."""
+    """Repetitions of all runs by name, every second one in reverse order to vary the neighbours in time; and those of multigrid."""
     mesh = mesh_of(scene, size, options)
     results, others = {name: [] for name in runs}, []
     for repetition in range(options.repetitions):
-        if repetition == 1:  # only the fastest reference goes on: references take most of the time
+        if repetition == 1:  # only the fastest reference continues: references take most of the time
             best = fastest_reference(results)
             runs = {name: run for name, run in runs.items() if name == best or not is_reference(name)}
         for name in runs if repetition % 2 == 0 else reversed(runs):
             results[name].append(measure(name, runs[name], scene, size, mesh, options))
-            if is_bonded(name):  # measure for its iterations, by as many processes, right after them
+            if is_bonded(name):  # bandwidth reference for its iterations, on the same number of processes, right afterwards
                 results[name][-1]["read_gb_s"] = bandwidth(runs[name]["ranks"])["read_median"]
         if scene == "press" and len(others) == repetition:
             others += filter(None, [multigrid(SIZES[size][scene], options)])
@@ -52,7 +52,7 @@ def repeated(runs, scene, size, options):
 def benchmark(options):
     bench = {"machine": machine(), "repetitions": options.repetitions, "versions": {}, "cases": {}, "growth": {}}
     if bench["machine"]["load_before"] > 0.5:
-        print(f"the machine is not quiet (load {bench['machine']['load_before']:.1f}): times and ratios will be off", flush=True)
+        print(f"the machine is busy (load {bench['machine']['load_before']:.1f}): times and ratios are unreliable", flush=True)
     bench["bandwidth_gb_s"] = {"one process": bandwidth(1), "two processes": bandwidth(2)}
     differing = []
     for size in options.sizes:
@@ -99,12 +99,12 @@ def main():
         fail("--repetitions: expected at least 1")
     if options.write_baseline and not options.guard:
         fail("--write-baseline needs --guard FILE")
-    if not options.guard and not options.check_only and not importlib.util.find_spec("numpy"):  # else workers die, and are waited for
-        fail(f"{sys.executable} has no numpy, which the memory bandwidth is measured with; /usr/bin/python3 has, after bootstrap.sh")
+    if not options.guard and not options.check_only and not importlib.util.find_spec("numpy"):  # otherwise workers die and the pool hangs
+        fail(f"{sys.executable} has no numpy, which the bandwidth measurement needs; /usr/bin/python3 has it after bootstrap.sh")
     if options.check_only:
         path = options.output / "bench.json"
         if not path.exists():
-            fail(f"no such file: {path}; a run without --check-only makes it")
+            fail(f"no such file: {path}; create it by a run without --check-only")
         report(json.loads(path.read_text()), options)
         return 0
     options.output.mkdir(parents=True, exist_ok=True)

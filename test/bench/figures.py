@@ -1,9 +1,9 @@
-"""From repetitions to medians and ratios, and from those to the figures that the report compares."""
+"""Medians and ratios of repetitions, and the figures that the report compares."""
 import statistics
 
 from runs import GEOMETRY, PLANE, PRESS, SIZES, is_bonded, is_reference
 
-# Scenes, what, size, quantity of the comparison, floor (-: at most), aim.
+# Scenes, figure, size, compared quantity, required value and target (negative: upper limits).
 FIGURES = [
     (PLANE, "all phases against the reference", "1M", "all_phases", 2.0, 3.0),
     (PLANE, "all phases against the reference, mesh cut beforehand", "1M", "all_phases_cut", 2.0, 3.0),
@@ -35,7 +35,7 @@ def spread(values):
 
 
 def merged(results, run):
-    """The repetitions of one run as one: every figure's median, smallest and largest value."""
+    """Combines the repetitions of one run: median, smallest and largest value of each figure."""
     first = results[0]
     text = ("unknowns", "elements", "pairs", "closed", "force", "counts", "energy", "command")
     figures = [key for key in first if key not in text + ("phases", "versions") and first[key] is not None]
@@ -47,7 +47,7 @@ def merged(results, run):
 
 
 def fastest_reference(results):
-    """By the median of all phases, of those that were repeated to the end; None where there is none."""
+    """The fastest by the median of all phases, among those repeated to the end; None if there is none."""
     if not any(is_reference(name) for name in results):
         return None
     longest = max(len(results[name]) for name in results if is_reference(name))
@@ -56,8 +56,8 @@ def fastest_reference(results):
 
 
 def compared(results, multigrid=()):
-    """All ratios of one scene and size; their spread is that of the repetitions, each with its own neighbours in time. `multigrid`: results
-    of PETSc in the same repetitions, if any."""
+    """All ratios of one scene and size, with the spread over the repetitions, each computed from neighbouring runs. `multigrid`: PETSc's
+    results in the same repetitions, if any."""
     def values(name, key):
         return [result[key] for result in results[name]]
 
@@ -94,9 +94,8 @@ def compared(results, multigrid=()):
 
 
 def iteration(runs, best):
-    """A PCG iteration on two ranks, in the mean of the bonded problem's. Beside it the time to read its data once by two processes at once:
-    at the speed that they had in the median right after each run, and at the best that they ever had (`best`, GB/s). None where there was
-    no iteration."""
+    """Mean PCG iteration of the bonded problem on two ranks, and the time for two simultaneous processes to read its data once: at their
+    median speed right after each run, and at their best speed (`best`, GB/s). None if there was no iteration."""
     if runs[0]["iteration_seconds"] is None:
         return None
     found = {"seconds": spread([run["iteration_seconds"] for run in runs]), "iterations": runs[0]["counts"]["auxiliary"]}
@@ -110,7 +109,7 @@ def iteration(runs, best):
 
 
 def growth(cases):
-    """Time per unknown on two ranks, the larger size by the smaller one."""
+    """Time per unknown on two ranks, larger size / smaller size."""
     small, large, _ = GROWTH
     found = {}
     for scene in GEOMETRY:
@@ -140,7 +139,7 @@ def astray(scene, size, results, multigrid=()):
 
 
 def quantity(case, key):
-    """Value of a figure of FIGURES: a ratio of medians, or a median itself; None where the programs do not tell."""
+    """Value of a figure of FIGURES: a ratio of medians, or a median; None if the programs do not report it."""
     if key == "bonded_seconds":
         return case["runs"]["bonded_2"]["from_assembled"]["median"]
     if key == "seconds":

@@ -16,8 +16,8 @@ def machine():
 
 
 def stream(barrier, queue, entries):
-    """GB/s of this process beside the others: STREAM's triad and reading alone, the best of nine; and reading in the median of them."""
-    import numpy  # by the workers only: OpenBLAS reads its environment when it is loaded
+    """GB/s of this process while the others run: STREAM's triad and pure reading, best of nine; and the median of reading."""
+    import numpy  # only in the workers: OpenBLAS reads its environment when it is loaded
     b, c, a = numpy.full(entries, 1.0), numpy.full(entries, 2.0), numpy.zeros(entries)
     numpy.dot(b[:1000], c[:1000])
     triads, reads = [], []
@@ -35,7 +35,7 @@ def stream(barrier, queue, entries):
 
 
 def bandwidth(processes, entries=20_000_000):
-    """GB/s of so many processes at once."""
+    """GB/s of the given number of simultaneous processes."""
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # for the workers
     context = multiprocessing.get_context("spawn")
     barrier, queue = context.Barrier(processes), context.Queue()

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""The scene input/press by PETSc: primal-dual active set, conjugate gradients, smoothed aggregation (GAMG) with rigid modes.
+"""Solves the scene input/press with PETSc: primal-dual active set, conjugate gradients, smoothed aggregation (GAMG) with rigid-body modes.
 
     mpirun -np 2 python3 test/bench/petsc_gamg.py 20 32 [--json FILE] [PETSc options, such as -ksp_view]
 
-n x n x n cells (Hexahedron8) in two blocks of half the height, assembled by numpy. A closed pair gives the upper node's normal unknown the
-value of the lower one's less the gap; the set starts with all pairs closed and is updated until it repeats. Prints for each n the closed
-pairs, the contact force, the sets, the iterations, and the seconds after assembly. Debian: python3-petsc4py. Suture does not need PETSc.
+n x n x n cells (Hexahedron8) in two blocks of half the height, assembled by numpy. For a closed pair, the upper node's normal unknown equals
+that of the lower node minus the gap; the set starts with all pairs closed and is updated until it repeats. Prints for each n the closed
+pairs, the contact force, the number of sets, the iterations, and the seconds after assembly. Debian: python3-petsc4py. Suture does not need PETSc.
 """
 import argparse
 import glob
@@ -20,7 +20,7 @@ from scipy.sparse import bsr_matrix
 
 try:
     import petsc4py
-except ImportError:  # Debian finds it through a link that only petsc-dev brings
+except ImportError:  # Debian finds it through a link that only petsc-dev installs
     sys.path += sorted(glob.glob("/usr/lib/petscdir/*/*-real/lib/python3/dist-packages"))
     import petsc4py
 OPTIONS = {"ksp_type": "cg", "ksp_rtol": "1e-8", "ksp_max_it": "500", "pc_type": "gamg", "pc_gamg_type": "agg", "pc_gamg_agg_nsmooths": "1",
@@ -60,7 +60,7 @@ def stiffness(h, young=1.0, poisson=0.3):
 class Press:
     """Both blocks on one lattice of (n + 1)^2 columns of n + 2 nodes: layer n / 2 is the lower block's top, the next the upper's bottom.
 
-    A rank has whole planes of equal x, so that it has both nodes of its pairs. Unknowns are node by node.
+    A rank owns whole planes of equal x, and thus both nodes of its pairs. Unknowns are ordered node by node.
     """
 
     def __init__(self, n):
@@ -82,7 +82,7 @@ class Press:
         self.points.setBlockSize(3)
 
     def assembled(self):
-        """Blocks of each node and its 27 neighbours, from the cells about it; a block of no cell is left out."""
+        """Blocks of each node and its 27 neighbours, from the adjacent cells; blocks without a cell are omitted."""
         n, k = self.n, stiffness(1 / self.n)
         block, there = np.zeros((len(self.at), 27, 3, 3)), np.zeros((len(self.at), 27), bool)
         for a, own in enumerate(CORNERS):
@@ -123,7 +123,7 @@ class Press:
         return found
 
     def solve(self, closed, start):
-        """Displacements for the closed pairs, and the iterations; `start` is where conjugate gradients begin."""
+        """Displacements for the closed pairs, and the iterations; `start` is the initial guess of conjugate gradients."""
         to, shift, given = self.reduced(closed)
         matrix = self.matrix.ptap(to)
         free = self.vector(1 - given.getArray())

@@ -1,4 +1,4 @@
-"""Tables and lines of what bench.json holds."""
+"""Tables and text from bench.json."""
 import statistics
 
 from figures import verdict
@@ -25,7 +25,7 @@ def table(rows, markdown):
 
 
 def tables(bench, markdown):
-    times = [["scene, unknowns, run", *PHASES, "all phases", "factor + solve", "MB, all ranks", "MB, a rank", "outer, PCG"]]
+    times = [["scene, unknowns, run", *PHASES, "all phases", "factor + solve", "MB, all ranks", "MB per rank", "outer, PCG"]]
     ratios = [["scene, unknowns", "reference taken", *[key.replace("_", " ") for key in RATIOS]]]
     for name, case in bench["cases"].items():
         scene = name.split("/")[0]
@@ -44,9 +44,9 @@ def iteration_line(name, found):
         return f"{name}: there was no PCG iteration"
     line = f"{name}: a PCG iteration on two ranks takes {shown(found['seconds'], scale=1e3)} ms"
     if "multiple" in found:
-        line += f", {shown(found['multiple'])} times reading its {found['data_mb']:.0f} MB once right after it"
+        line += f", {shown(found['multiple'])} times as long as reading its {found['data_mb']:.0f} MB once right afterwards"
         return line + f", {found['multiple_of_best']:.2f} times at the best speed"
-    return line + "; how much data it reads summary.json does not say"
+    return line + "; summary.json does not report its amount of data"
 
 
 def report(bench, options):
@@ -54,15 +54,15 @@ def report(bench, options):
     (options.output / "bench.md").write_text(tables(bench, True) + "\n")
     print(f"\n{tables(bench, False)}\n")
     one, two = bench["bandwidth_gb_s"]["one process"], bench["bandwidth_gb_s"]["two processes"]
-    print(f"memory: triad {one['triad']:.1f} GB/s alone, {two['triad']:.1f} by two at once; reading {one['read']:.1f}, {two['read']:.1f}")
+    print(f"memory: triad {one['triad']:.1f} GB/s alone, {two['triad']:.1f} by two simultaneous processes; reading {one['read']:.1f}, {two['read']:.1f}")
     for name, case in bench["cases"].items():
         others = statistics.median(run["cores_of_others"]["median"] for run in case["runs"].values())
         if others > QUIET:
             cores = bench["machine"]["cores"]
-            print(f"{name}: others used {others:.1f} of {cores} cores meanwhile: ranks had less than a core each and waited for each other")
+            print(f"{name}: others used {others:.1f} of {cores} cores during the run: ranks had less than one core each and waited for each other")
         print(iteration_line(name, case["pcg_iteration"]))
         ranks, copies = (shown(case["ratios"][key], "ratio") for key in ("two_ranks", "two_copies"))
-        print(f"{name}: two ranks are {ranks} times as fast as one; two runs on one rank at once do {copies} times the work of one alone")
+        print(f"{name}: two ranks are {ranks} times as fast as one; two simultaneous runs on one rank do {copies} times the work of one alone")
         for found in case.get("multigrid", []):
             print(f"{name}: multigrid takes {found['seconds']:.1f} s after {found['assembly_seconds']:.1f} s of assembly, "
                   f"{found['sets']} sets, {sum(found['iterations'])} CG, {found['peak_memory_mb']:.0f} MB")
@@ -70,5 +70,5 @@ def report(bench, options):
             gain = shown(case["ratios"]["explicit_gain"], "ratio")
             print(f"{name}: from assembled matrices {gain} times as fast as with implicit Schur complements")
     for scene, found in bench["growth"].items():
-        print(f"{scene}: time per unknown grows to {found['seconds']:.2f} times, from assembled matrices {found['from_assembled']:.2f}")
+        print(f"{scene}: time per unknown changes by a factor of {found['seconds']:.2f}, from assembled matrices {found['from_assembled']:.2f}")
     print(f"\n{verdict(bench)}\n\n{options.output / 'bench.json'}, bench.md")

@@ -1,4 +1,4 @@
-"""Meshes and runs: what is solved, on which ranks, and what each run leaves behind."""
+"""Meshes and runs: scenes, numbers of ranks, and results of each run."""
 import json
 import math
 import os
@@ -15,7 +15,7 @@ ROOT = HERE.parent.parent
 
 PLANE, SPACE = ("tunnel", "hertz"), ("press",)
 
-# Where the scenes have their meshes from, and what makes one of a size.
+# Mesh source of each scene, and the setting for a given size.
 GEOMETRY = {
     "tunnel": ("input/tunnel/tunnel_metis.xml", lambda scale: [f"Mesh/Constants/scale={scale}"]),
     "hertz": ("input/hertz/hertz.xml", lambda resolution: [f"Mesh/Constants/resolution={resolution}"]),
@@ -31,7 +31,7 @@ SIZES = {
     "1M": {"tunnel": 0.1, "hertz": 343, "press": 68},
     "4M": {"tunnel": 0.05, "hertz": 696},
 }
-# The memory of one factorisation in space grows with the 4/3 power of the unknowns: 14 to 25 GB and minutes for a million.
+# The memory of a 3D factorisation grows with the 4/3 power of the unknowns: 14 to 25 GB and minutes for a million.
 WITHOUT_REFERENCE = {("press", "1M")}
 # Closed pairs and force of the scene press by n: petsc_gamg.py, and a measurement elsewhere.
 PRESS = {20: (181, 1.634890e-3), 32: (441, 1.635129e-3), 48: (991, 1.635860e-3), 68: (1957, 1.635756e-3)}
@@ -42,7 +42,7 @@ def fail(message):
 
 
 def environment(threads=1):
-    """So many threads of OpenBLAS a rank, whatever the caller's environment says. One of OpenMP: CHOLMOD's gain nothing (input/studies/README.md)."""
+    """Sets OpenBLAS threads per rank, overriding the environment. One OpenMP thread: more do not speed up CHOLMOD (input/studies/README.md)."""
     fixed = {"OPENBLAS_NUM_THREADS": str(threads), "OMP_NUM_THREADS": "1"}
     return {**os.environ, **fixed, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
@@ -63,7 +63,7 @@ def mesh_of(scene, size, options):
     source, settings = GEOMETRY[scene]
     value = SIZES[size][scene]
     mesh = options.output / "meshes" / f"{scene}_{value:g}.h5"
-    # Another program may number another way.
+    # Another version may number differently.
     made_from = [*(ROOT / source).parent.glob("*.geo"), ROOT / source, options.programs / "suture_partition"]
     if mesh.exists() and all(mesh.stat().st_mtime > file.stat().st_mtime for file in made_from):
         return mesh
@@ -77,7 +77,7 @@ def mesh_of(scene, size, options):
 
 
 def cut_of(scene, mesh, options):
-    """The same mesh, cut by the program at hand: once for all runs, as a user would who varies a load."""
+    """The same mesh, partitioned once for all runs by the current program, as a user would who varies a load."""
     cut = mesh.with_name(mesh.stem + "_cut.h5")
     program = options.programs / "suture_partition"
     if not cut.exists() or cut.stat().st_mtime < max(mesh.stat().st_mtime, program.stat().st_mtime):
@@ -86,19 +86,19 @@ def cut_of(scene, mesh, options):
 
 
 def configurations(scene="tunnel", size="10k", implicit=False):
-    """By name: ranks, threads, what is set beside the mesh."""
+    """Ranks, threads and settings (other than the mesh) by name."""
     runs = {f"suture_{ranks}": {"ranks": ranks, "set": []} for ranks in (1, 2)}
-    # The most that the machine gives two processes, which never wait for each other: the measure for the gain of two ranks.
+    # The machine's speed for two processes that never wait for each other: the reference for the gain of two ranks.
     runs["copies_1"] = {"ranks": 1, "copies": 2, "set": []}
     runs["suture_cut_2"] = {"ranks": 2, "cut": True, "set": ["Partition/Type=Partitioned Mesh"]}
-    # Linear, all pairs closed, to the tolerance of the whole: ends, not converged, where contact would begin.
+    # Linear, all pairs closed, to the final tolerance: ends unconverged before the contact iteration.
     bonded = ["Outer Solver/Maximum Iterations=0", "Outer Solver/Active Set/Inner Tolerance=1e-8"]
     runs["bonded_2"] = {"ranks": 2, "set": bonded, "expected": (0, 4)}
     if implicit:
         runs["implicit_2"] = {"ranks": 2, "set": ["Subdomain/Schur Complement=Implicit"]}
     if (scene, size) in WITHOUT_REFERENCE:
         return runs
-    for ordering in ("METIS",) if scene in SPACE else ("AMD", "METIS"):  # AMD fills several times more in space
+    for ordering in ("METIS",) if scene in SPACE else ("AMD", "METIS"):  # AMD has several times more fill-in in 3D
         chosen = ["Outer Solver/Type=Monolithic", f"Outer Solver/Monolithic/Ordering={ordering}", "Partition/METIS/Subdomains=2"]
         for threads in (1, 2):
             runs[f"reference_{ordering.lower()}_{threads}"] = {"ranks": 1, "threads": threads, "set": chosen}
@@ -129,7 +129,7 @@ def busy_seconds():
 
 
 def measure(name, run, scene, size, mesh, options):
-    """One run, or the mean of copies that run at once: its seconds, memory and counts, and what others used of the machine meanwhile."""
+    """One run, or the mean of simultaneous copies: seconds, memory and counts, and the load by other programs meanwhile."""
     folders = [options.output / "runs" / (f"{scene}_{size}_{name}" + (f"_{copy + 1}" if copy else "")) for copy in range(run.get("copies", 1))]
     for folder in folders:
         shutil.rmtree(folder, ignore_errors=True)
@@ -144,14 +144,14 @@ def measure(name, run, scene, size, mesh, options):
     phases = {phase: statistics.mean(one["phases"][phase]["max"] for one in summaries) for phase in summary["phases"]}
     return {
         "seconds": seconds,
-        # The reference is not charged for cutting a mesh that need not be cut.
+        # The reference needs no partition: its partitioning time is not counted.
         "charged": seconds - (phases["partition"] if is_reference(name) else 0.0),
         "from_assembled": phases["factor"] + phases["solve"],
         "phases": phases,
         "memory_mb": sum(one["peak_memory_mb"]["sum"] for one in summaries),
         "memory_rank_mb": summary["peak_memory_mb"]["max"],
-        "data_mb": summary.get("solver_data_mb", {}).get("sum"),  # read by an iteration; older programs do not say
-        "iteration_seconds": summary["auxiliary"].get("iteration_seconds"),  # so do they not of this
+        "data_mb": summary.get("solver_data_mb", {}).get("sum"),  # read by an iteration; older programs do not report it
+        "iteration_seconds": summary["auxiliary"].get("iteration_seconds"),  # nor this
         "energy": summary["energy"],
         "unknowns": summary["dofs"],
         "elements": summary["elements"],
@@ -172,7 +172,7 @@ def measure(name, run, scene, size, mesh, options):
 
 
 def multigrid(n, options):
-    """The scene press by PETSc's smoothed aggregation on two ranks, from assembled matrices on; None where PETSc is not installed."""
+    """The scene press by PETSc's smoothed aggregation on two ranks, timed after assembly; None if PETSc is not installed."""
     path = options.output / "runs" / "multigrid.json"
     path.parent.mkdir(parents=True, exist_ok=True)
     path.unlink(missing_ok=True)

@@ -1,7 +1,7 @@
-"""What scripts may rely on: the schemas of doc/schema, and test/contract/contract.json for exit codes, files and options.
+"""Interface for scripts: the schemas of doc/schema, and test/contract/contract.json for exit codes, files and options.
 
-Functions return lists of problems, each a sentence; none: nothing has changed. Used by run_contract.py on runs, by test_contract.py on changed
-copies of their files.
+Functions return lists of problems, one sentence each; an empty list means no change. run_contract.py applies them to runs, test_contract.py
+to modified copies of run files.
 """
 import csv
 import json
@@ -19,20 +19,20 @@ def schema(name):
 
 
 def summaryProblems(summary):
-    """Where a summary is not as its schema says."""
+    """Deviations of a summary from its schema."""
     found = jsonschema.Draft202012Validator(schema("summary")).iter_errors(summary)
     return ["summary.json: " + "/".join(map(str, error.absolute_path)) + ": " + error.message[:300] for error in found]
 
 
 def resolved(node, whole):
-    """A schema with its reference followed; of a choice with null the other."""
+    """A schema with its reference resolved; for a choice with null, the other alternative."""
     if "oneOf" in node:
         node = next(one for one in node["oneOf"] if one.get("type") != "null")
     return whole["$defs"][node["$ref"].split("/")[-1]] if "$ref" in node else node
 
 
 def undescribed(node, whole, path=""):
-    """Keys of the schema without a description, numbers without a unit, objects that leave open which keys they have."""
+    """Keys of the schema without a description, numbers without a unit, objects with unspecified keys."""
     problems = []
     if not (node.get("description") or "$ref" in node or path.endswith("[]")):
         problems.append(f"{path}: no description")
@@ -54,7 +54,7 @@ def undescribed(node, whole, path=""):
 
 
 def keysOf(node, whole, path=""):
-    """All keys that the schema names, as paths."""
+    """All keys of the schema, as paths."""
     node, keys = resolved(node, whole), set()
     for key, below in node.get("properties", {}).items():
         keys |= {f"{path}/{key}"} | keysOf(below, whole, f"{path}/{key}")
@@ -65,7 +65,7 @@ def keysOf(node, whole, path=""):
 
 
 def keysIn(value, node, whole, path=""):
-    """Those of them that a summary has."""
+    """Keys of the schema that a summary has."""
     node, keys = resolved(node, whole), set()
     if isinstance(value, list):
         for one in value:
@@ -93,7 +93,7 @@ def isOfType(text, field):
 
 
 def fieldsOf(header, fields):
-    """Field of each column, in order; None and a problem where they do not fit."""
+    """Field of each column, in order; None and a problem if they do not match."""
     found, rest = [], list(header)
     for field in fields:
         if "pattern" in field:
@@ -109,7 +109,7 @@ def fieldsOf(header, fields):
 
 
 def tableProblems(path, kind, summary=None):
-    """Where a table is not as its schema says: columns and their order, types, values, fields that may not be empty."""
+    """Deviations of a table from its schema: columns and their order, types, values, empty required fields."""
     described = schema(kind)
     path = pathlib.Path(path)
     with path.open(newline="") as file:
@@ -136,7 +136,7 @@ def tableProblems(path, kind, summary=None):
 
 
 def filesOf(folder):
-    """Names of the files that a run left; those of load steps are one name."""
+    """Names of the files of a run; files of load steps share one name."""
     folder = pathlib.Path(folder)
     if not folder.exists():
         return []
@@ -152,7 +152,7 @@ def folderProblems(folder):
         summary = json.loads((folder / "summary.json").read_text())
         problems += summaryProblems(summary)
     if summary is None:
-        return []  # no run has ended here
+        return []  # no finished run here
     for path in sorted(folder.glob("*.csv")):
         kind = "probe" if path.name.startswith("probe_") else path.stem
         problems += tableProblems(path, kind, summary) if kind in TABLES else [f"{path.name}: a table without a schema"]
@@ -160,7 +160,7 @@ def folderProblems(folder):
 
 
 def runProblems(expected, code, folder):
-    """Exit code and files of a run against what the contract says."""
+    """Compares exit code and files of a run with the contract."""
     problems = []
     if code != expected["exit_code"]:
         problems.append(f"exit code {code}, the contract says {expected['exit_code']}")

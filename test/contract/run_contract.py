@@ -1,7 +1,7 @@
-"""Runs that write every kind of key, against the contract: exit codes, files, schemas, options of the programs.
+"""Compares runs that write every kind of key with the contract: exit codes, files, schemas, options of the programs.
 
 run_contract.py --programs FOLDER --plugin LIB.so --work DIR --input FOLDER --mpirun "mpirun ..." [--record]
-    --record: writes what was found into contract.json, in place of what it says; for a change that is meant.
+    --record: replaces the content of contract.json by the results, for an intended change.
 """
 import argparse
 import json
@@ -40,7 +40,7 @@ def probes(kind, **parameters):
 
 
 def judge(name, code, text=""):
-    """A run that has ended, against its place in the contract."""
+    """Compares a finished run with its entry in the contract."""
     folder = work / name
     expected = stored.get("runs", {}).get(name, {"exit_code": None, "files": []})
     problems = ([] if options.record else contract.runProblems(expected, code, folder)) + contract.folderProblems(folder)
@@ -48,7 +48,7 @@ def judge(name, code, text=""):
         summary = json.loads((folder / "summary.json").read_text())
         seen.update(contract.keysIn(summary, summarySchema, summarySchema))
         phases.update(summary["phases"])
-        if not name.startswith("again"):  # the run that is made again may have agreed with itself, but not with its record
+        if not name.startswith("again"):  # the repeated run may agree with itself, but not with its record
             problems += [] if summary["exit_code"] == code else [f"summary.json has exit code {summary['exit_code']}, the program {code}"]
     found["runs"][name] = {"exit_code": code, "files": contract.filesOf(folder)}
     check(name, problems, [])
@@ -85,7 +85,7 @@ solve("wrong_option", scene("two_blocks"), "--cheque")
 code, text = harness.run(programs / "suture_solve", 1, scene("two_blocks"), "--output", work / "file" / "below")
 judge("no_folder", code, text)
 
-# Stopped on request, when its table has begun.
+# Stopped on request once its table has begun.
 with open(work / "stopped.log", "w") as log:
     process = subprocess.Popen(harness.command(programs / "suture_solve", 1, scenes / "tunnel" / "tunnel_open.xml", "--output", work / "stopped",
                                                *setting("Outer Solver/Type", "Successive Approximation"),
@@ -97,7 +97,7 @@ with open(work / "stopped.log", "w") as log:
     process.send_signal(signal.SIGUSR1)
     judge("stopped", process.wait(timeout=60 * SLOWER), (work / "stopped.log").read_text())
 
-# Made again: agrees, disagrees (the record is another's), is refused.
+# Repeated: agrees, disagrees (with another run's record), is refused.
 solve("again", "--again", work / "plane" / "summary.json")
 solve("again_not_converged", "--again", work / "not_converged")
 changed = json.loads((work / "plane" / "summary.json").read_text())
@@ -111,7 +111,7 @@ solve("before_the_change", work / "scene.xml")
 solve("again_other_scene", "--again", work / "before_the_change")
 solve("again_stopped", "--again", work / "stopped")
 
-# The other programs: exit codes and files. suture_partition writes the one file that it is told.
+# The other programs: exit codes and files. suture_partition writes only the requested file.
 (work / "partition").mkdir()
 judge("partition", harness.run(programs / "suture_partition", 1, scene("two_blocks"), "--output", work / "partition" / "mesh.h5")[0])
 judge("study", harness.run(programs / "suture_study", 1, HERE.parent / "drivers" / "study" / "tiny.xml", "--output", work / "study",

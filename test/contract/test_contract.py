@@ -1,4 +1,4 @@
-"""The contract's checks see every change that they are there for: changed copies of what a run has left.
+"""The contract's checks find every kind of change, on modified copies of a run's files.
 
 test_contract.py --solve PROGRAM --work DIR --input FOLDER --mpirun "mpirun ..."
 """
@@ -23,7 +23,7 @@ check("an unchanged run", (code, contract.folderProblems(run)), (0, []))
 
 
 def planted(what, change):
-    """A change of the summary, which must be seen."""
+    """A change of the summary that must be found."""
     changed = copy.deepcopy(summary)
     change(changed)
     check("summary: " + what, len(contract.summaryProblems(changed)), lambda n: n > 0)

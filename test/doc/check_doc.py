@@ -4,7 +4,7 @@
 check_doc.py ROOT: prints, and fails for,
 - rows of the table of doc/theory.md whose class, function or test does not exist. A row is
   | equation | meaning | `Class`, `Class::function` or `function` | `folder/File.Test`, `folder/File.Suite.Test` or `ctest name` |;
-- relative links of Markdown files that lead to no file, and parts `#...` of links that no heading of the file has.
+- relative links of Markdown files to missing files, and link fragments `#...` without a heading.
 """
 import json
 import os
@@ -17,13 +17,13 @@ NAME = r"[A-Za-z_]\w*"
 
 
 def withoutComments(text):
-    """C++ without comments and without what stands in strings; lines keep their numbers."""
+    """C++ without comments and string contents; line numbers are kept."""
     pattern = r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"'
     return re.sub(pattern, lambda found: '""' if found[0][0] == '"' else re.sub(r"[^\n]", "", found[0]), text, flags=re.S)
 
 
 def braces(text, begin):
-    """The text between the brace at `begin` and the one that closes it."""
+    """Text between the brace at `begin` and its closing brace."""
     depth = 0
     for i in range(begin, len(text)):
         depth += {"{": 1, "}": -1}.get(text[i], 0)
@@ -47,7 +47,7 @@ def outermost(text):
 
 
 def declares(text, name):
-    """True if the text, without braces, declares a function: its type stands before the name, on the same line or the one above."""
+    """True if the text, without braces, declares a function: the type is before the name, on the same line or the line above."""
     for found in re.finditer(r"([^;(),]*?)\b" + name + r"\s*\(", text):
         before = found[1].split()
         if before and before[-1] not in ("return", "new", "throw") and re.search(r"[\w>&*]$", before[-1]):
@@ -59,7 +59,7 @@ class Sources:
     """Classes and functions of packages/."""
 
     def __init__(self, root):
-        self.members = {}  # class -> texts of its definitions
+        self.members = {}  # class -> its definitions
         self.free = []     # texts of namespaces
         for file in sorted(root.glob("packages/**/*.hpp")):
             text = withoutComments(file.read_text())
@@ -69,7 +69,7 @@ class Sources:
                 self.free.append(outermost(braces(text, found.end() - 1)))
 
     def missing(self, code):
-        """Problem with a name of the table, or nothing."""
+        """Problem with a name of the table, or None."""
         owner, _, function = code.rpartition("::")
         if owner:
             if owner not in self.members:
@@ -107,7 +107,7 @@ class Tests:
         return found
 
     def missing(self, test):
-        """Problem with a test of the table, or nothing."""
+        """Problem with a test of the table, or None."""
         if test.startswith("ctest "):
             return None if test[6:] in self.named else f"ctest has no test {test[6:]}"
         parts = re.fullmatch(r"([\w/]+)/(\w+)\.(?:(\w+)\.)?(\w+)", test)
@@ -151,15 +151,15 @@ def checkTable(root):
 
 
 def anchors(text):
-    """Names of headings, as Markdown pages on the web make them."""
+    """Anchors of headings, as generated on the web."""
     text = re.sub(r"^```.*?^```", "", text, flags=re.S | re.M)
     headings = re.findall(r"^#+\s+(.*?)\s*$", text, flags=re.M)
     return {re.sub(r"\s", "-", re.sub(r"[^\w\s-]", "", heading.lower())) for heading in headings}
 
 
 def pages(root):
-    """Markdown files below a folder. Hidden folders and those that a build has made are not the project's, nor is their content looked at:
-    other tests remove files there meanwhile."""
+    """Markdown files below a folder, except hidden folders and build folders, where other tests may remove files
+    at the same time."""
     made = {path.parent.name for path in root.glob("*/CMakeCache.txt")} | {path.parent.name for path in root.glob("*/CTestTestfile.cmake")}
     for folder, inner, names in os.walk(root):
         folder = pathlib.Path(folder)

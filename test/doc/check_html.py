@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Links of a folder of HTML pages. check_html.py FOLDER: prints, and fails for,
-- links and pictures that lead to no file of the folder, or to a part #... that the page does not have,
-- pages that index.html does not lead to, and pictures, styles or scripts from a network.
+- links and pictures with a missing file or a missing fragment #...,
+- pages not reachable from index.html, and pictures, styles or scripts from a network.
 """
 import html.parser
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""check_doc.py itself: a clean tree passes, and each violation planted in it, one at a time, is found and shown.
+"""check_doc.py itself: a clean tree passes, and each violation planted in it, one at a time, is reported.
 
 planted.py CHECK FOLDER
 """
@@ -69,7 +69,7 @@ def run():
 
 
 def expect(problem, **planted):
-    """With what is planted the check fails, and says this and nothing else."""
+    """With the planted error the check fails and reports only this error."""
     global failed
     clean(**planted)
     code, said = run()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""run_page.py itself: a right page passes, and each fault planted in a page, one at a time, is found. planted_page.py FOLDER"""
+"""run_page.py itself: a correct page passes, and each fault planted in it, one at a time, is found. planted_page.py FOLDER"""
 import pathlib
 import shutil
 import subprocess

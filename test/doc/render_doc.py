@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The documentation becomes HTML whose links hold; and pages with faults, planted one at a time, are found. render_doc.py SOURCE FOLDER"""
+"""The documentation is rendered to HTML with valid links; faults planted in pages, one at a time, are found. render_doc.py SOURCE FOLDER"""
 import pathlib
 import shutil
 import subprocess

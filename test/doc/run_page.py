@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""Runs a page of the documentation as a reader would, in an empty folder, and compares what it says with what happens.
+"""Runs the commands of a documentation page in an empty folder, as a reader would, and compares the results with the page.
 
 run_page.py PAGE --source FOLDER --drivers FOLDER --work DIR [--checkout] [--renew]
 
-- Lines of blocks ```sh are commands, run one after the other; $SUTURE is the source folder. --checkout: the folder looks like a checkout
-  that has been built, with input/ and build/drivers/.
-- Lines of blocks ```text must be printed by the commands above them: words equal, numbers within one per cent, those below 1e-5 (residuals,
-  rounding) within a factor of three; ... stands for anything.
-- Blocks ```xml must stand in a scene that the page links to, blocks ```cpp and ```cmake in a source or beside it.
-- A picture with a title, ![words](file.png "run_out/mesh.png"), must be made by the commands under that name, in the size (a tenth more or
-  less) of the one that the page shows. --renew copies it there instead.
+- Lines of blocks ```sh are commands, run one after the other; $SUTURE is the source folder. --checkout: the folder looks like a built
+  checkout, with input/ and build/drivers/.
+- Lines of blocks ```text must be printed by the commands above them: equal words, numbers within one per cent, numbers below 1e-5 (residuals,
+  round-off) within a factor of three; ... matches any text.
+- Blocks ```xml must occur in a linked scene, blocks ```cpp and ```cmake in a linked source or next to it.
+- A picture with a title, ![words](file.png "run_out/mesh.png"), must be written by the commands under that name; its size must be within
+  10 % of the picture on the page. --renew copies it to the page instead.
 """
 import argparse
 import os
@@ -21,7 +21,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as xml
 
-SLOWER = float(os.environ.get("SUTURE_TIME_FACTOR", 1))  # limits of time are multiplied by it: the test presets set it
+SLOWER = float(os.environ.get("SUTURE_TIME_FACTOR", 1))  # factor on time limits, set by the test presets
 NUMBER = r"(?<![\w.])[-+]?(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w])"
 
 
@@ -40,7 +40,7 @@ def agree(number, other):
 
 
 def stands(segment, text, begin):
-    """End of `segment` in `text` where it stands at `begin`, or None."""
+    """End of `segment` in `text` if it occurs at `begin`, or None."""
     numbers, pattern, end = [], "", 0
     for found in re.finditer(NUMBER, segment):
         pattern += re.escape(segment[end:found.start()]) + f"({NUMBER})"
@@ -52,7 +52,7 @@ def stands(segment, text, begin):
 
 
 def continues(segments, text, begin):
-    """Whether the segments stand in `text` from `begin` on, the last one at its end, with anything between two of them."""
+    """Whether the segments occur in `text` from `begin` on, the last one at its end, with any text between them."""
     end = stands(segments[0], text, begin)
     if end is None:
         return False
@@ -123,7 +123,7 @@ class Reading:
                 self.failures.append(f"the commands make no picture {made}")
             elif renew:
                 shown.parent.mkdir(exist_ok=True)
-                from PIL import Image  # with matplotlib; a palette makes pictures small
+                from PIL import Image  # comes with matplotlib; a palette reduces the file size
                 Image.open(file).convert("RGB").quantize(64, dither=0).save(shown, optimize=True)
             elif not pixels(shown) or any(abs(a - b) > 0.1 * b for a, b in zip(pixels(file), pixels(shown))):
                 self.failures.append(f"{link} is not {made}: {pixels(shown)} and {pixels(file)} pixels; run_page.py --renew copies it")

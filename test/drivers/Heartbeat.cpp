@@ -1,4 +1,4 @@
-// What the console shows while a phase takes long: through a pipe, as a batch system reads it.
+// Console output while a phase takes long, read through a pipe as a batch system does.
 #include <unistd.h>
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -14,7 +14,7 @@ using namespace suture;
 
 namespace {
 
-/// Text that `work` leaves on standard output and error, which are one pipe meanwhile.
+/// Text that `work` writes to standard output and error, both redirected into one pipe.
 template <typename Work>
 std::string textOf(const Work& work) {
   std::cout.flush();

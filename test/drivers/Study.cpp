@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(Formula, NeedsNoBlanksButAroundAMinusBehindAName) {
   TEST_EQUALITY(number("dofs+subdomains"), 108.0);
   TEST_EQUALITY(number("1-dofs"), -99.0);
   TEST_EQUALITY(number("dofs - 1"), 99.0);
-  TEST_ASSERT(std::isnan(number("2e+1*dofs-1")));  // the name dofs-1, which no summary has
+  TEST_ASSERT(std::isnan(number("2e+1*dofs-1")));  // reads the name dofs-1, which no summary contains
   TEST_EQUALITY(number("(dofs)-1"), 99.0);
   TEST_EQUALITY(number("dofs-(1)"), 99.0);
   TEST_EQUALITY(number("2e+1*dofs"), 2000.0);
@@ -123,7 +123,7 @@ TEUCHOS_UNIT_TEST(StudyRuns, CombineAllSweepsTheLastOneFastest) {
   TEST_EQUALITY(labelsOf(study, all[1]), "size=small  seed=2");
   TEST_EQUALITY(labelsOf(study, all[5]), "size=large  seed=3");
   TEST_ASSERT((all[0].overrides == std::vector<std::string>{"A=1", "B=x", "C=1", "Output/Fields=false"}));
-  TEST_ASSERT((all[1].overrides == std::vector<std::string>{"A=1", "C=1", "Output/Fields=false"}));  // "-": as the scene has it
+  TEST_ASSERT((all[1].overrides == std::vector<std::string>{"A=1", "C=1", "Output/Fields=false"}));  // "-": the scene's value
   const auto some = combinations(study, {}, readOnly(study, {"large", "seed=3", "seed=1"}, problems), problems);
   TEST_EQUALITY(some.size(), 2u);
   TEST_EQUALITY(some[0].number, 4);

@@ -1,4 +1,4 @@
-"""suture_solve --again: makes a run once more from its summary.json, says whether the results agree, and refuses what is another input.
+"""suture_solve --again: repeats a run from its summary.json, reports whether the results agree, and refuses changed inputs.
 
 again.py --solve PROGRAM --plugin LIB.so --work DIR --input FOLDER --mpirun "mpirun ..."
 """
@@ -22,7 +22,7 @@ def summaryOf(folder):
     return json.loads((folder / "summary.json").read_text())
 
 
-# A scene of its own with a .geo file, changed from the command line.
+# A separate scene with a .geo file, changed from the command line.
 own = work / "own"
 own.mkdir()
 for name in ("bracket.xml", "bracket.geo"):
@@ -34,7 +34,7 @@ record = (first / "summary.json").read_bytes()
 check("the first run", code, 0)
 code, text = solve(1, "--again", first / "summary.json")
 check("again on the same ranks: to the last bit", (code, "figures to the last bit" in text), (0, True))
-check("a folder beside, with the parameters of the record", summaryOf(work / "first_again")["parameters"]["Outer Solver"]["Tolerance"], "1e-9")
+check("a new folder next to it, with the parameters of the record", summaryOf(work / "first_again")["parameters"]["Outer Solver"]["Tolerance"], "1e-9")
 check("the record is as it was", (first / "summary.json").read_bytes() == record, True)
 code, text = solve(2, "--again", first, "--output", work / "two")
 check("on two ranks, by the name of the folder", (code, "1 rank then, 2 ranks now, tolerance 1.0e-09" in text, "agrees: all" in text),
@@ -45,7 +45,7 @@ check("what is allowed: 100 times the tolerance", float(rows["energy"]["allowed"
 code, text = solve(1, "--again", first, "--output", work / "silent", "--quiet")
 check("--quiet", (code, text), (0, ""))
 
-# Records with other figures: what is seen, and what is not.
+# Records with changed figures: detected and ignored differences.
 blocks = scenes / "two_blocks" / "two_blocks.xml"
 solve(1, blocks, "--output", work / "blocks", *setting("Outer Solver/Tolerance", "1e-9"))
 plain = summaryOf(work / "blocks")
@@ -85,7 +85,7 @@ planted("a number that is not finite", 4, lambda s: s.update(max_displacement=No
 planted("a contact that the run has not", 4, lambda s: s["reactions"]["contacts"].update(ghost=s["reactions"]["contacts"][contact]), "ghost")
 planted("a looser tolerance allows more", 0, lambda s: (scaled(1 + 1e-6)(s), s["parameters"]["Outer Solver"].update({"Tolerance": "1e-7"})))
 
-# Refused.
+# Refused inputs.
 planted("another version of the format", 3, lambda s: s["format"].update(version=2), "has format 2")
 planted("the summary of an earlier Suture", 3, lambda s: s.pop("format"), "an earlier version")
 planted("a summary without its record", 3, lambda s: s.pop("record"), "damaged")
@@ -105,7 +105,7 @@ for name, words in (("its own folder", ["--output", first]), ("a link to it", ["
     check(f"command line: with {name}", (code, "another folder" in text or "excludes" in text), (2, True))
 check("the record is as it was", (first / "summary.json").read_bytes() == record, True)
 
-# Files that have changed.
+# Changed files.
 scene.write_text(sceneText + "<!-- changed -->\n")
 code, text = solve(1, "--again", first)
 check("a scene file with a comment more", (code, "none of its parameters" in text), (0, True))
@@ -123,7 +123,7 @@ geometry.write_text(geometryText + "Mesh.MeshSizeFactor = 1.5;\n")
 code, text = solve(2, "--again", first)
 check("another geometry", (code, "is not the mesh of the run" in text and "'bracket.geo'" in text), (3, True))
 
-# A run that went on from a checkpoint, with a plugin.
+# A run continued from a checkpoint, with a plugin.
 plugin = work / "plugin.so"
 shutil.copy(options.plugin, plugin)
 solve(1, blocks, "--output", work / "before", *setting("Output/Checkpoint", "true"))

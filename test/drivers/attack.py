@@ -1,9 +1,9 @@
-"""Mutated inputs: scenes, geometries, meshes and checkpoints that are wrong in a way that a seed chooses. Whatever they are, the program
-solves them or refuses them with an exit code of the contract, a message, and within the time; it never crashes, hangs, or runs what a file asks for.
+"""Randomly mutated inputs: scenes, geometries, meshes and checkpoints. The program must solve each of them, or refuse it within the time limit
+with a message and an exit code of the contract; it never crashes, hangs, or executes commands from a file.
 
 attack.py --solve PROGRAM --partition PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER [--count N] [--seed S] [--first I] [--both] [--keep]
 
-Mutant i of a seed is always the same: `--first i --count 1` repeats it. `--both`: on one and on two ranks; otherwise on one of them in turn.
+Mutant i of a seed is reproducible: `--first i --count 1` repeats it. `--both` runs each mutant on one and on two ranks; otherwise they alternate.
 """
 import argparse
 import json
@@ -30,7 +30,7 @@ work = options.work
 INPUT = pathlib.Path(options.input).resolve()
 ALLOWED = {0, 2, 3, 4, 5, 75}
 SECONDS = 30 * SLOWER
-MARK = work / "mark"  # file that a program started by an input would leave
+MARK = work / "mark"  # created by any program that an input manages to start
 FIFO = work / "fifo.xml"
 os.mkfifo(FIFO)
 
@@ -50,7 +50,7 @@ def bytes_of(path):
     return pathlib.Path(path).read_bytes()
 
 
-# The sound inputs that mutants come from: made once.
+# Valid inputs from which the mutants are made, once.
 
 def program(name, *words):
     done = subprocess.run([str(name), *map(str, words)], capture_output=True, text=True, timeout=120 * SLOWER)
@@ -66,14 +66,14 @@ FEW = ["--set", "Mesh/Constants/scale=4"]
 program(options.solve, INPUT / "two_blocks" / "two_blocks.xml", "--set", "Output/Checkpoint=true", "--quiet", "--output", work / "sound")
 program(options.partition, INPUT / "tunnel" / "tunnel_open.xml", *FEW, "--no-cut", "--quiet", "--output", work / "whole.h5")
 program(options.partition, INPUT / "tunnel" / "tunnel_open.xml", *FEW, "--quiet", "--output", work / "cut.h5")
-(work / "sound.xml").write_text(MESHED)  # a mutant of what is refused anyway would prove nothing
+(work / "sound.xml").write_text(MESHED)  # mutants of an invalid input would prove nothing
 program(options.solve, work / "sound.xml", "--set", f"Mesh/File={work / 'whole.h5'}", "--quiet", "--output", work / "sound_whole")
 program(options.solve, work / "sound.xml", "--set", f"Mesh/File={work / 'cut.h5'}", "--set", "Partition/Type=Partitioned Mesh", "--quiet", "--output",
         work / "sound_cut")
 
 
 def two_rectangles(version):
-    """Two plates on each other, 4 x 2 quadrilaterals each, as Gmsh writes them."""
+    """Two stacked plates of 4 x 2 quadrilaterals each, in Gmsh's format."""
     nodes, elements = [], []
     for body, y in ((1, 0.0), (2, 1.0)):
         base = len(nodes)
@@ -123,7 +123,7 @@ PLATES = """<ParameterList name="Suture">
 """
 
 
-# Mutations of a text or of bytes.
+# Mutations of text or bytes.
 
 def attributes(text, name):
     return [m.span(1) for m in re.finditer(name + r'="([^"]*)"', text)]
@@ -208,7 +208,7 @@ def mutate_bytes(rng, data):
 
 
 def mutate_hdf5(rng, data):
-    # The headers are few bytes in many: half of the mutants change them.
+    # Headers are a small part of a file: half of the mutants change them.
     if rng.random() < 0.5:
         head = min(len(data), 4096)
         return mutate_bytes(rng, data[:head]) + data[head:] if rng.random() < 0.9 else data[:head]
@@ -225,7 +225,7 @@ def mutate_geo(rng, text):
 
 
 def mutant(i, folder):
-    """Writes the files of mutant i; the words of its command line."""
+    """Writes the files of mutant i. Returns its command-line arguments."""
     rng = random.Random(f"{options.seed}/{i}")
     kind = ["xml blocks", "geo", "msh", "mesh h5", "checkpoint", "xml blocks", "cut h5", "xml tunnel", "command line"][i % 9]
     scene = folder / "scene.xml"
@@ -263,7 +263,7 @@ def mutant(i, folder):
 
 
 def processor_seconds(session):
-    """That the processes of a session have used, those that ended included."""
+    """CPU seconds used by the processes of a session, including those that have ended."""
     ticks = 0
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -276,7 +276,7 @@ def processor_seconds(session):
 
 
 def outcome(process):
-    """Output and exit code, "no end" after SECONDS: of the processors where others keep them busy, and then of the clock ten times as many."""
+    """Output and exit code; "no end" after SECONDS of CPU time, or ten times as many of wall clock."""
     begin = time.time()
     while True:
         try:

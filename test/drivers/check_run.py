@@ -1,29 +1,29 @@
 #!/usr/bin/python3
-"""Runs suture_solve on a scene and checks what it must give: exit code, messages, figures.
+"""Runs suture_solve on a scene and checks exit code, messages and figures.
 
     check_run.py CASES.json CASE --solve build/drivers/suture_solve --work FOLDER [--ranks N] [--mpirun "mpirun --oversubscribe"]
                  [--references FOLDER]
 
-A file of cases is either one case (the expected.json beside a scene; CASE is then "-") or {"defaults": {...}, "cases": {name: {...}}}.
-A case has, all but "scene" with a default; the arguments of a table's defaults come before its own:
+A file of cases is either one case (the expected.json next to a scene; CASE is then "-") or {"defaults": {...}, "cases": {name: {...}}}.
+Entries of a case (all except "scene" have a default; arguments from the table's defaults come first):
 
-    from        an expected.json, relative to the file of cases: the case is the one there, for tables that list it among others
-    scene       the scene file, relative to the file of cases; or "scene_path", given to the program as it is, {work} filled in
-    edit        [[old, new], ...]: replacements in a copy of the scene, each of which must be found; the geometry is copied with it
-    arguments   of suture_solve; {work} is the folder of the test (emptied before), {scenes} the scene's own
-    files       {name: text}: files made in {work} before the run
-    exit_code   what the program must return (0)
+    from        an expected.json, relative to the file of cases, from which the case is read
+    scene       the scene file, relative to the file of cases; or "scene_path", passed unchanged to the program, except that {work} is replaced
+    edit        [[old, new], ...]: replacements in a copy of the scene; each must be found; the geometry is copied, too
+    arguments   of suture_solve; {work} is the test's folder (emptied first), {scenes} the scene's folder
+    files       {name: text}: files written to {work} before the run
+    exit_code   expected exit code (0)
     timeout     seconds (100)
     message     texts that must occur in the output;  "never": texts that must not;  "once": texts that must occur exactly once
-    against     arguments of a second run on one rank, for the figures difference.*; those of
-                --references are made once and shared: empty that folder when the program changes (ctest does, before its first test)
+    against     arguments of a second run on one rank, for the figures difference.*; with --references such runs are made once and
+                shared: empty that folder when the program changes (ctest does so before its first test)
     checks      [{"key" or "figure": ..., and "value" with "relative" or "absolute" (neither: exactly), or "min" and "max", "source": ...}]
 
-A check may have, beside what it compares with, "today": the own value when the check was written, from which it may differ by "drift"
-(relative, 1e-6) only. "options" are arguments of the figure. With "of", in test/validation/validate.py, the reference is the run of another
-case of the table: the value is its own, multiplied by "times", or the figure compares the two.
+A check may also have "today": the value found when the check was written, from which the result may differ only by "drift" (relative, 1e-6).
+"options" are arguments of the figure. With "of", in test/validation/validate.py, the reference is the run of another case of the table: its
+value multiplied by "times", or the figure compares the two runs.
 
-A "key" is a dotted path into summary.json, norm(path) of a vector, abs(path), or several of these joined by " + ". A "figure" is a function
+A "key" is a dotted path into summary.json, norm(path) of a vector, abs(path), or a sum of these joined by " + ". A "figure" is a function
 of test/validation/figures.py that reads the fields of the run.
 """
 import argparse
@@ -46,7 +46,7 @@ import sentences
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "validation"))
 
 
-DRIFT = 1e-6  # relative: above what the tolerances of the solvers and the number of ranks change, far below any error of discretisation
+DRIFT = 1e-6  # relative: above the effect of solver tolerances and number of ranks, far below any discretisation error
 
 
 def lookUp(summary, path):
@@ -57,7 +57,7 @@ def lookUp(summary, path):
 
 
 def evaluate(summary, key):
-    """The number that a key names: figures of the summary, added and subtracted."""
+    """Value of a key: figures of the summary, added and subtracted."""
     total, sign = None, 1
     for term in re.split(r" ([+-]) ", key):
         if term in "+-":
@@ -74,7 +74,7 @@ def evaluate(summary, key):
 
 
 def judge(check, value):
-    """Empty if the value passes, or what is wrong with it."""
+    """Empty if the value passes, else the reason for failure."""
     wrong = []
     if isinstance(value, float) and not math.isfinite(value):
         return "is not finite"
@@ -93,19 +93,19 @@ def judge(check, value):
     if "today" in check and not abs(value - check["today"]) <= check.get("drift", DRIFT) * abs(check["today"]):
         wrong.append(f"drifted from {check['today']:.10g}")
     if not any(k in check for k in ("value", "min", "max")):
-        wrong.append("the check compares with nothing")
+        wrong.append("the check has no reference")
     return ", ".join(wrong)
 
 
 def run(command, timeout):
-    """Output (both streams) and exit code; the code is None when the time was over."""
+    """Output (both streams) and exit code; the code is None after a timeout."""
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                errors="replace", start_new_session=True)
     try:
         output, _ = process.communicate(timeout=timeout * float(os.environ.get("SUTURE_TIME_FACTOR", 1)))
         return output, process.returncode
     except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGTERM)  # the session that was started above: mpirun and its ranks
+        os.killpg(process.pid, signal.SIGTERM)  # the session started above: mpirun and its ranks
         try:
             output, _ = process.communicate(timeout=5)
         except subprocess.TimeoutExpired:
@@ -115,7 +115,7 @@ def run(command, timeout):
 
 
 def editedScene(scene, edits, work):
-    """A copy of the scene in `work` with replacements; the mesh files beside it come along."""
+    """Copies the scene and the mesh files next to it into `work`, with replacements."""
     with open(scene) as file:
         text = file.read()
     for old, new in edits:
@@ -133,7 +133,7 @@ def editedScene(scene, edits, work):
 
 @contextlib.contextmanager
 def shared(references, scene, arguments):
-    """The folder of a run that several tests compare with, held by one of them at a time. summary.json is what a run writes last."""
+    """Folder of a shared reference run, locked by one test at a time. A run writes summary.json last."""
     with open(scene, "rb") as file:
         name = hashlib.sha1(b"\0".join([file.read(), *(a.encode() for a in arguments)])).hexdigest()[:16]
     os.makedirs(references, exist_ok=True)
@@ -143,7 +143,7 @@ def shared(references, scene, arguments):
 
 
 def caseOf(table, name, folder="."):
-    """A case of a table, with the table's defaults; `folder` is where the table stands."""
+    """A case of a table, with the table's defaults; `folder` contains the table."""
     defaults, own = table.get("defaults", {}), table["cases"][name]
     if "from" in own:
         path = os.path.join(folder, own["from"])
@@ -154,14 +154,14 @@ def caseOf(table, name, folder="."):
 
 
 def perform(case, folder, work, program, ranks=1, references=None, others=None):
-    """Runs a case and judges it. Returns a dictionary: "failures" (texts), "checks" ({"check", "value", "wrong"} of each), "summary",
+    """Runs a case and checks it. Returns a dictionary: "failures" (texts), "checks" ({"check", "value", "wrong"} of each), "summary",
     "output" (folder of the run), "seconds" (of the run as a whole).
 
-    folder      what "scene" is relative to
-    work        folder for the run; emptied before
-    program     words of the command without the scene: a function of the number of ranks
+    folder      base of the relative path "scene"
+    work        folder for the run; emptied first
+    program     command line without the scene, as a function of the number of ranks
     references  folder of shared runs for "against"
-    others      {case: what perform() returned for it}, for checks with "of"
+    others      {case: result of perform()}, for checks with "of"
     """
     work = os.path.abspath(work)
     shutil.rmtree(work, ignore_errors=True)
@@ -237,7 +237,7 @@ def nameOf(check):
 
 
 def examine(check, outcome, reference, others):
-    """One check of a run: the check, with the value that "of" refers to filled in, what was found, and what is wrong with it."""
+    """Evaluates one check: the check with the value of "of" filled in, the value found, and the reason for failure."""
     value = None
     try:
         if "of" in check:
@@ -248,7 +248,7 @@ def examine(check, outcome, reference, others):
             if "of" in check:
                 check = {**check, "value": check.get("times", 1) * evaluate(other["summary"], check["key"])}
         else:
-            import figures  # a fifth of a second, for the checks that need it
+            import figures  # takes 0.2 s; only where needed
 
             value = figures.figure(check["figure"], outcome["output"], reference, **check.get("options", {}))
             if "of" in check and "times" in check:

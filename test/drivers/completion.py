@@ -1,4 +1,4 @@
-"""Completion in bash: options from --help, values of options, files. completion.py --script FILE --drivers FOLDER"""
+"""Bash completion: options from --help, values of options, files. completion.py --script FILE --drivers FOLDER"""
 import argparse
 import os
 import subprocess

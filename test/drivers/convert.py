@@ -1,4 +1,4 @@
-"""suture_convert as a user runs it: one mesh in every form, written as its program writes it, becomes the same mesh with the same groups.
+"""suture_convert as a user runs it: one mesh in every format, as the original program writes it, gives the same mesh and groups.
 
 convert.py --convert PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR
 """
@@ -19,7 +19,7 @@ from harness import arguments, check, finish, forked, run
 options = arguments("--convert", "--solve")
 work = options.work
 
-# Two bodies that share no node: quadrilaterals below, triangles above; one quadrilateral is clockwise.
+# Two bodies without common nodes: quadrilaterals below, triangles above; one quadrilateral is clockwise.
 X = [0.0, 1.0, 2.0]
 LOWER = [(x, y) for y in (0.0, 1.0) for x in X]
 UPPER = [(x, y) for y in (1.0, 2.0) for x in X]
@@ -30,7 +30,7 @@ BOTTOM, TOP = [(0, 1), (1, 2)], [(9, 10), (10, 11)]
 
 
 def quadratic():
-    """The same mesh with nodes in the middle of the sides: points, elements, sides."""
+    """The same mesh with mid-side nodes: points, elements, sides."""
     points, middles = list(POINTS), {}
 
     def middle(a, b):
@@ -51,7 +51,7 @@ def labels(rows):
 
 
 def inp(points, quads, triangles, kinds):
-    """Labels begin at 101; the set of the upper body is given by numbers, a range and another set."""
+    """Labels begin at 101; the set of the upper body consists of numbers, a range and another set."""
     text = "** comment\n*Heading\n two bodies\n*NODE, NSET=Nall\n" + labels((101 + i, x, y, 0.0) for i, (x, y) in enumerate(points))
     text += f"*ELEMENT, TYPE={kinds[0]}, ELSET=lower\n" + labels((11 + i, *(101 + n for n in e)) for i, e in enumerate(quads))
     text += f"*Element, type={kinds[1]}\n" + labels((21 + i, *(101 + n for n in e)) for i, e in enumerate(triangles))
@@ -136,7 +136,7 @@ def convert(source, target):
 
 
 def contents(path):
-    """The mesh in a file of Suture by its places, whatever its numbers: elements and sides of each group."""
+    """Mesh of a Suture file by coordinates, independent of numbering: elements and sides of each group."""
     with h5py.File(path) as file:
         points, offsets, nodes, cells = (file[name][:] for name in ("Coordinates", "Offsets", "Connectivity", "Cells"))
         elements = [points[nodes[a:b]] for a, b in zip(offsets, offsets[1:])]
@@ -176,7 +176,7 @@ SCENE = """<ParameterList name="Suture">
 
 
 def checked(mesh):
-    """Suture takes the file: exit code of --check, with the first words of what it says."""
+    """Suture reads the file: exit code of --check and the first words of its output."""
     scene = work / (mesh.name + ".xml")
     scene.write_text(SCENE.replace("MESH", mesh.name))
     code, text = run(options.solve, 1, scene, "--check")
@@ -212,7 +212,7 @@ for name, cells in sources.items():
     code, text = convert(source, gmsh)
     check(f"{name}: exit code of conversion to .msh", code, 0)
     check(f"{name}: Suture takes the .msh", checked(gmsh), 0)
-    again = work / (name + ".again.h5")  # Gmsh's file has groups of the same name for surfaces and curves apart
+    again = work / (name + ".again.h5")  # in Gmsh's file, surface and curve groups of the same name are separate
     check(f"{name}: .msh through meshio", convert(gmsh, again)[0], 0)
     found = contents(again)
     check(f"{name}: the groups again", {key: found.get(key) for key in ("lower", "Upper", "top")}, {key: expected(cells)[key] for key in ("lower", "Upper", "top")})

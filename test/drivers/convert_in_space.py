@@ -1,4 +1,4 @@
-"""suture_convert on meshes in space: two elements of every shape in every form, one of them inside out, become the same mesh and groups.
+"""suture_convert on 3D meshes: two elements of every shape in every format, one of them inverted, give the same mesh and groups.
 
 convert_in_space.py --convert PROGRAM --work DIR --mpirun ""
 """
@@ -18,7 +18,7 @@ from harness import arguments, check, finish, forked
 options = arguments("--convert")
 work = options.work
 
-# Shapes as VTK's file formats draw them: vertices, edges with a node in their middle, sides with one in their centre.
+# Shapes as in VTK's file formats: vertices, edges with a midpoint node, sides with a centre node.
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 PLACES = {"tetra": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], "hexahedron": [(x, y, z) for z in (-1, 1) for x, y in SQUARE],
           "wedge": [(x, y, z) for z in (-1, 1) for x, y in ((0, 0), (1, 0), (0, 1))],
@@ -26,7 +26,7 @@ PLACES = {"tetra": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], "hexahedron": [
 EDGES = {"tetra": [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)],
          "hexahedron": [(0, 1), (1, 2), (2, 3), (0, 3), (4, 5), (5, 6), (6, 7), (4, 7), (0, 4), (1, 5), (2, 6), (3, 7)]}
 CENTRES = [(0, 3, 4, 7), (1, 2, 5, 6), (0, 1, 4, 5), (2, 3, 6, 7), (0, 1, 2, 3), (4, 5, 6, 7), tuple(range(8))]
-# Sides as Suture numbers them (packages/mesh/Cell.cpp), by their vertices.
+# Sides by their vertices, in Suture's numbering (packages/mesh/Cell.cpp).
 SIDES = {"tetra": [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)], "hexahedron": CENTRES[:6],
          "wedge": [(0, 1, 2), (3, 4, 5), (0, 1, 3, 4), (1, 2, 4, 5), (0, 2, 3, 5)],
          "pyramid": [(0, 1, 2, 3), (0, 1, 4), (1, 2, 4), (2, 3, 4), (0, 3, 4)]}
@@ -41,7 +41,7 @@ def family(kind):
 
 
 def between(kind):
-    """Vertices around each node that is none."""
+    """Vertices surrounding each node that is not a vertex."""
     return {"tetra10": EDGES["tetra"], "hexahedron20": EDGES["hexahedron"], "hexahedron27": EDGES["hexahedron"] + CENTRES}.get(kind, [])
 
 
@@ -51,7 +51,7 @@ def drawn(kind):
 
 
 class Pair:
-    """Two elements: the drawing under an affine map, and its mirror image behind the side `joint`, which is inside out."""
+    """Two elements: the shape under an affine map, and its inverted mirror image behind the side `joint`."""
 
     def __init__(self, kind):
         self.kind, places = kind, drawn(kind)
@@ -74,7 +74,7 @@ class Pair:
         self.middles = [self.facet(element, side) for element, side in self.skin]
 
     def facet(self, element, side):
-        """Nodes of a side: vertices in a ring, middles of their edges, centre."""
+        """Nodes of a side: vertices in order, edge midpoints, centre."""
         nodes = self.elements[element]
         edges = EDGES.get(family(self.kind)) or [e for s in SIDES[family(self.kind)] for e in ring_edges(s, family(self.kind))]
         ring = [side[0]]
@@ -125,7 +125,7 @@ def labels(rows):
     return "".join(",\n".join(", ".join(map(str, row[i:i + 14])) for i in range(0, len(row), 14)) + "\n" for row in rows)
 
 
-# Faces of Abaqus' solids, and where its C3D27 has the nodes of ours.
+# Faces of Abaqus' solids, and the position of our nodes in its C3D27.
 ABAQUS = {"tetra": [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)], "wedge": [(0, 1, 2), (3, 4, 5), (0, 1, 3, 4), (1, 2, 4, 5), (0, 2, 3, 5)],
           "hexahedron": [(0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 4, 5), (1, 2, 5, 6), (2, 3, 6, 7), (0, 3, 4, 7)],
           "pyramid": [(0, 1, 2, 3), (0, 1, 4), (1, 2, 4), (2, 3, 4), (0, 3, 4)]}
@@ -143,7 +143,7 @@ def inp(pair):
     return text + "".join(f"{11 + element}, S{1 + ABAQUS[family(pair.kind)].index(side)}\n" for element, side in pair.skin)
 
 
-# Sides of Exodus, and where its shapes have the nodes of ours.
+# Sides of Exodus, and the position of our nodes in its shapes.
 EXODUS = {"tetra": [(0, 1, 3), (1, 2, 3), (0, 2, 3), (0, 1, 2)], "wedge": [(0, 1, 3, 4), (1, 2, 4, 5), (0, 2, 3, 5), (0, 1, 2), (3, 4, 5)],
           "hexahedron": [(0, 1, 4, 5), (1, 2, 5, 6), (2, 3, 6, 7), (0, 3, 4, 7), (0, 1, 2, 3), (4, 5, 6, 7)],
           "pyramid": [(0, 1, 4), (1, 2, 4), (2, 3, 4), (0, 3, 4), (0, 1, 2, 3)]}
@@ -172,7 +172,7 @@ def exodus(pair, path):
             put(f"{what}_names", "S1", (dimension, "len_name"), np.array([list(name.ljust(33, "\0"))], dtype="S1"))
 
 
-# Descriptors of I-DEAS, and the order of its parabolic solids: round each layer, each vertex with the middle behind it.
+# Descriptors of I-DEAS, and the node order of its parabolic solids: around each layer, each vertex followed by the next midpoint.
 UNV = {"tetra": (111, range(4)), "wedge": (112, range(6)), "hexahedron": (115, range(8)), "tetra10": (118, [0, 4, 1, 5, 2, 6, 7, 8, 9, 3]),
        "hexahedron20": (116, [0, 8, 1, 9, 2, 10, 3, 11, 16, 17, 18, 19, 4, 12, 5, 13, 6, 14, 7, 15])}
 
@@ -196,7 +196,7 @@ def unv(pair):
 
 
 def are_middles(kind, places):
-    """All nodes that are no vertices lie in the middle of those around them."""
+    """All nodes other than vertices lie at the mean of the surrounding vertices."""
     first = len(PLACES[family(kind)])
     return all(np.allclose(places[first + i], places[list(around)].mean(axis=0)) for i, around in enumerate(between(kind)))
 
@@ -230,7 +230,7 @@ for kind in NUMBER:
     for path in list(sources):
         try:
             through_meshio(pair, path)
-        except (KeyError, meshio.WriteError) as error:  # a form that does not have the shape
+        except (KeyError, meshio.WriteError) as error:  # the format does not have the shape
             print(f"        {path.name}: meshio cannot write it: {error!r}")
             sources.remove(path)
     (work / f"{kind}.inp").write_text(inp(pair))
@@ -254,20 +254,20 @@ for kind in NUMBER:
     msh = work / f"{kind}.again.msh"
     code, text = forked(options.convert, work / f"{kind}.vtu", msh)
     check(f"{kind}: exit code of conversion to .msh", (code, text if code else ""), (0, ""))
-    gmsh = meshio.read(msh)  # which has Gmsh's order of nodes, too
+    gmsh = meshio.read(msh)  # it also has Gmsh's node order
     block = next(block for block in gmsh.cells if block.type == kind)
     check(f"{kind}: nodes in Gmsh's order", all(are_middles(kind, gmsh.points[nodes]) for nodes in block.data), True)
     check(f"{kind}: .msh again", forked(options.convert, msh, work / f"{kind}.again.h5")[0], 0)
     check(f"{kind}: the mesh and its groups again", contents(work / f"{kind}.again.h5"), expected)
 
-# A group of sides inside the material; nodes that lie nowhere; a shape that Suture does not have.
+# A group of sides inside the material; misplaced nodes; an unknown shape.
 pair = Pair("hexahedron")
 cells = as_meshio(pair) + [("quad", np.array([pair.facet(0, SIDES["hexahedron"][0])]))]
 inside = [np.full(len(nodes), b == 2) * 1 for b, (_, nodes) in enumerate(cells)]
 mesh = meshio.Mesh(pair.points, cells, cell_data={"inside": inside})
 meshio.write(work / "inside.vtu", mesh)
 code, text = forked(options.convert, work / "inside.vtu", work / "inside.h5")
-check("a side inside the material is left out, and that is told",
+check("a side inside the material is left out with a warning",
       (code, "group 'inside': 1 of its sides left out, 1 of them inside the material" in text), (0, True))
 pair = Pair("tetra10")
 pair.elements[0][9] = pair.elements[0][4]

@@ -1,9 +1,9 @@
-"""Faults around a run: a full disk, too little memory, signals, a second run into the same folder. The exit code tells, no rank waits
-for ever, and what was there before is neither lost nor taken for the new result.
+"""Faults around a run: a full disk, too little memory, signals, a second run into the same folder. The exit code reports the fault, no rank
+hangs, and earlier results are neither lost nor mistaken for the new ones.
 
 faults.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER [--all]
 
-Without --all one case of each kind, those of the tunnel open at its fault on a coarse mesh: half a minute.
+Without --all: one case of each kind, with tunnel_open on a coarse mesh; half a minute.
 """
 import argparse
 import fcntl
@@ -27,9 +27,9 @@ options = arguments("--solve", "--input", parser=parser)
 work = options.work
 TUNNEL = pathlib.Path(options.input) / "tunnel" / "tunnel.xml"
 OPEN = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
-# A program that is told to stop has four seconds for its iteration, checkpoint and verdict, with sanitizers, too.
+# A program has four seconds after a stop request for its iteration, checkpoint and verdict, also with sanitizers.
 MESH = setting("Mesh/Constants/scale", 3) if SANITIZED or not options.all else []
-# Never reached: a run that ends by itself before it is stopped would prove nothing.
+# Never reached: a run that ends before the signal would prove nothing.
 SLOW = MESH + setting("Outer Solver/Type", "Successive Approximation") + setting("Outer Solver/Maximum Iterations", 100000) + \
     setting("Outer Solver/Tolerance", "1e-17") + setting("Formulation", "Condensed Groups")
 
@@ -52,7 +52,7 @@ def summary(folder):
 
 
 def ended(folder):
-    """End of a run, by its summary: exit code and whether it converged; None without one."""
+    """Exit code and convergence from the summary of a run; None without a summary."""
     return (summary(folder)["exit_code"], summary(folder)["converged"]) if (work / folder / "summary.json").exists() else None
 
 
@@ -61,7 +61,7 @@ def digest(path):
 
 
 def until(holds, seconds=60):
-    """Waits for a condition; whether it came in time."""
+    """Waits for a condition. Returns whether it was met in time."""
     end = time.time() + seconds * SLOWER
     while not holds():
         if time.time() > end:
@@ -71,7 +71,7 @@ def until(holds, seconds=60):
 
 
 def children(process, program):
-    """Children that run the program: until they begin it, they are copies of their parent."""
+    """Children that already run the program; before exec they are copies of their parent."""
     found = []
     for task in pathlib.Path(f"/proc/{process.pid}/task").glob("*"):
         for child in (task / "children").read_text().split():
@@ -84,7 +84,7 @@ def children(process, program):
 
 
 def start(name, *words, ranks=1, launcher=()):
-    """A run in the background; returns when its table has begun."""
+    """Starts a run in the background and returns once its table has begun."""
     log = work / (name + ".log")
     line = harness.command(options.solve, ranks, *words)
     line[1:1] = launcher
@@ -93,7 +93,7 @@ def start(name, *words, ranks=1, launcher=()):
     return process
 
 
-# A full disk, met at whatever moment: while fields, texts or the end of a file are written.
+# A full disk at any moment: while fields, texts or the end of a file are written.
 disk = work / "disk"
 disk.mkdir()
 if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4m", "none", str(disk)], capture_output=True).returncode == 0:
@@ -118,7 +118,7 @@ if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4m", "none", str(disk)], 
 else:
     print("skipped: no right to mount a small disk")
 
-# Too little address space: refused, never an endless request for it.
+# Too little address space is refused; the program never retries endlessly.
 for megabytes in () if SANITIZED else (500, 700, 900, 1200, 1600, 2400) if options.all else (500, 2400):
     size = megabytes << 20
     code, text, seconds = run(1, OPEN, "--quiet", *setting("Mesh/Constants/scale", 0.35 if options.all else 0.6), "--output", work / "little",
@@ -127,7 +127,7 @@ for megabytes in () if SANITIZED else (500, 700, 900, 1200, 1600, 2400) if optio
     if code != 0:
         check(f"{megabytes} MB of address space: message", text, lambda t: "memory" in t or "ulimit -v" in t)
 
-# SIGTERM and SIGINT: the step in hand, a checkpoint, 75. A batch system sends them to all ranks; one that gets it stops the others, too.
+# SIGTERM and SIGINT: finish the current step, write a checkpoint, exit code 75. A batch system signals all ranks; one signalled rank also stops the others.
 signals = [("SIGTERM", 1, 1), ("SIGTERM", 2, 1)]
 for name, ranks, hit in signals + ([("SIGINT", 1, 1), ("SIGTERM", 2, 2), ("SIGINT", 4, 4)] if options.all else []):
     what = f"{name} to {hit} of {ranks} ranks"
@@ -146,16 +146,16 @@ for name, ranks, hit in signals + ([("SIGINT", 1, 1), ("SIGTERM", 2, 2), ("SIGIN
     code, _, _ = run(3 - min(ranks, 2), OPEN, *MESH, "--quiet", "--restart", work / folder / "checkpoint.h5", "--output", work / (folder + "_resumed"))
     check(what + ": restart", (code, ended(folder + "_resumed")), (0, (0, True)))
 
-# mpirun kills its ranks a second after a SIGTERM of its own, unless told otherwise; it no longer reads what they print.
+# By default, mpirun kills its ranks a second after it receives SIGTERM; it no longer reads their output.
 process = start("launcher", OPEN, *SLOW, "--output", work / "launcher", ranks=2, launcher=("--mca", "odls_base_sigkill_timeout", "3"))
 process.send_signal(signal.SIGTERM)
 process.wait(timeout=60 * SLOWER)
 check("SIGTERM to mpirun: a checkpoint", (work / "launcher" / "checkpoint.h5").exists(), True)
 check("SIGTERM to mpirun: a summary", ended("launcher"), (75, False))
 
-# A run that nobody reads is held up by its console, and stops all the same.
+# A run blocked on its console, because nobody reads the output, stops all the same.
 reader, writer = os.pipe()
-fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 8192)  # two pages, and one of them is full before the run waits
+fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 8192)  # two pages; one of them is full before the run blocks
 process = subprocess.Popen([options.solve, str(OPEN), *SLOW, "--output", str(work / "unread")], stdout=writer)
 os.close(writer)
 waiting = lambda: int.from_bytes(fcntl.ioctl(reader, termios.FIONREAD, bytes(4)), sys.byteorder)
@@ -168,7 +168,7 @@ check("SIGTERM to it", (code, time.time() - begin < 5 * SLOWER, ended("unread"),
       (75, True, (75, False), True))
 os.close(reader)
 
-# The run ends even where no iteration can end, while the mesh is made.
+# The run also stops during mesh generation, before any iteration.
 geometry = work / "endless.geo"
 geometry.write_text("DefineConstant[ scale = 1 ];\nFor i In {1:1e12}\n x = i;\nEndFor\n")
 process = subprocess.Popen([options.solve, str(OPEN), "--set", f"Mesh/File={geometry}", "--output", str(work / "endless")], stderr=subprocess.PIPE, text=True)
@@ -178,7 +178,7 @@ process.terminate()
 text = process.communicate(timeout=60 * SLOWER)[1]
 check("SIGTERM while the mesh is read", (process.returncode, time.time() - begin < 5 * SLOWER, "no new checkpoint" in text), (75, True, True))
 
-# SIGKILL: an earlier result is set aside, a checkpoint of the run itself is there, the lock goes with the process.
+# SIGKILL: the earlier result is set aside, the run's own checkpoint exists, the lock disappears with the process.
 code, _, _ = run(1, OPEN, *MESH, "--quiet", "--output", work / "killed")
 check("a first run", (code, ended("killed")), (0, (0, True)))
 fields = digest(work / "killed" / "fields_0000.vtkhdf")
@@ -192,7 +192,7 @@ process.wait()
 check("killed: no summary to be taken for that of the run", (work / "killed" / "summary.json").exists(), False)
 check("killed: the earlier result is there", (json.loads((work / "killed" / "summary.previous.json").read_text())["converged"],
                                              digest(work / "killed" / "fields_0000.vtkhdf")), (True, fields))
-half = [work / "killed" / name for name in ("checkpoint.h5.part", "summary.json.part12345")]  # as a kill may leave them
+half = [work / "killed" / name for name in ("checkpoint.h5.part", "summary.json.part12345")]  # files that a kill may leave
 users = work / "killed" / "engine.part1"
 for path in (*half, users):
     path.write_text("half")
@@ -203,13 +203,13 @@ users.unlink()
 check("nothing else is left", sorted(f.name for f in (work / "killed").iterdir() if f.name != "checkpoint.h5"),
       ["contact.csv", "contact_0000.vtkhdf", "fields_0000.vtkhdf", "history.csv", "reactions.csv", "summary.json"])
 
-# A run that fails on its input leaves the earlier result, but no summary.
+# A run that fails on its input keeps the earlier result, without a summary.
 code, _, _ = run(2, OPEN, *MESH, "--quiet", "--output", work / "killed", *setting("Contact/fault above/Side A", "none"))
 check("a run that fails", code, 3)
 check("it leaves the earlier result beside", [(work / "killed" / f).exists() for f in ("summary.json", "summary.previous.json", "fields_0000.vtkhdf")],
       [False, True, True])
 
-# Damaged numbers of a checkpoint are blamed on the file.
+# Corrupt numbers in a checkpoint are reported as an error in the file.
 sound = (work / "SIGTERM_1_1" / "checkpoint.h5").read_bytes()
 changed = 0
 for at in range(len(sound) // 2, len(sound) // 2 + 3):
@@ -219,7 +219,7 @@ for at in range(len(sound) // 2, len(sound) // 2 + 3):
     code, text, _ = run(1, OPEN, *MESH, "--quiet", "--restart", work / "damaged.h5", "--output", work / "damaged")
     check(f"a checkpoint with byte {at} changed", (code, "damaged.h5" in text and "checksum" in text), (3, True))
 
-# All ranks end alike; a launcher that is asked to be quiet adds nothing.
+# All ranks end with the same exit code; a quiet launcher adds no output.
 quiet = subprocess.run([*options.mpirun.split(), "-q", "-np", "2", options.solve, str(OPEN), "--set", "Outer Solver/Tolerence=1"],
                        capture_output=True, text=True)
 check("a refusal under mpirun -q", (quiet.returncode, quiet.stdout), (3, ""))

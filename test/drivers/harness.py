@@ -1,7 +1,7 @@
-"""Tools that the tests of the programs have in common: options, an empty folder to work in, runs, and checks that are counted.
+"""Common tools for the tests of the programs: options, an empty working folder, runs, and counted checks.
 
     from harness import arguments, check, finish, run
-    options = arguments("--solve", "--input")       # each of them required, and --mpirun and --work
+    options = arguments("--solve", "--input")       # both required, as are --mpirun and --work
     code, text = run(options.solve, 2, scene)
     check("exit code", code, 0)
     finish()
@@ -18,8 +18,8 @@ import traceback
 
 import sentences
 
-SLOWER = float(os.environ.get("SUTURE_TIME_FACTOR", 1))  # limits of time are multiplied by it: the test presets set it
-SANITIZED = "ASAN_OPTIONS" in os.environ  # AddressSanitizer takes 20 TB of addresses: no limit of them then, no measure of memory
+SLOWER = float(os.environ.get("SUTURE_TIME_FACTOR", 1))  # factor on time limits, set by the test presets
+SANITIZED = "ASAN_OPTIONS" in os.environ  # AddressSanitizer reserves 20 TB of address space: do not limit or measure memory then
 failures = []
 options = None
 
@@ -38,7 +38,7 @@ def arguments(*names, parser=None):
 
 
 def command(program, ranks, *words):
-    """One rank is started as most users start it, without mpirun."""
+    """One rank is started without mpirun, as most users do."""
     return [*(options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []), str(program), *map(str, words)]
 
 
@@ -51,7 +51,7 @@ def run(program, ranks, *words, timeout=120):
 
 
 def forked(program, *words):
-    """Exit code and output of a program in Python, in a fork of this process: what this one has imported is not loaded again."""
+    """Exit code and output of a Python program, run in a fork of this process to reuse its imports."""
     with tempfile.TemporaryFile("w+") as output:
         child = os.fork()
         if child == 0:

@@ -1,5 +1,5 @@
-"""Exceptions of one rank of four in every phase of a run (plugins/InjectedFault.cpp): one message, the exit code of the exception,
-below five seconds, nothing from the launcher.
+"""Exceptions on one rank of four in every phase of a run (plugins/InjectedFault.cpp). Expected: one message, the exit code of the exception,
+less than five seconds, and no output from the launcher.
 
 injected.py --solve PROGRAM --fault LIBRARY --mpirun "mpirun ..." --work DIR --input FOLDER [--places few | all]
 """
@@ -45,14 +45,14 @@ counts = [{}, {}, {}, {}]
 for file in options.work.glob("counts.*"):
     for rank, phase, messages, works in (line.split() for line in file.read_text().splitlines()):
         counts[int(rank)][phase] = int(messages), int(works)
-# The sanitizers' library calls its own functions by itself (-Bsymbolic-functions): phases that it begins are not seen.
+# With sanitizers the library binds its own functions internally (-Bsymbolic-functions): phases that it begins are not intercepted.
 phases = {"read", "partition", "assemble", "factor", "solve", "estimate", "verify"} | (set() if SANITIZED else {"write"})
 check("phases", set(counts[0]), lambda names: names >= phases)
 print(f"communications and works on rank 0: {counts[0]}; the run took {usual:.2f} s")
 
-# As a phase begins; at its first, middle and last communication; in its first and last local work that ends collectively. A rank that
-# leaves its others in a communication does so by what no program plans for: NumericalErrors and InputErrors of one rank are thrown in
-# such works, where all ranks learn of them. Few: in the last work and in the middle communication, by turns.
+# Places: the begin of a phase; its first, middle and last communication; its first and last local work that ends collectively. Only an
+# unforeseen exception leaves the other ranks in a communication: NumericalErrors and InputErrors of one rank are thrown in local work, after
+# which all ranks learn of them. Few: the last work and the middle communication, alternating.
 every = options.places == "all"
 places = []
 for i, phase in enumerate(counts[0]):
@@ -76,11 +76,11 @@ for number, (rank, phase, place, at) in enumerate(places):
         check(what + ": nothing on standard output", out, "")
         check(what + ": below five seconds", seconds, lambda s: s < 5 * SLOWER + usual)
         summary = options.work / "fault" / "summary.json"
-        check(what + ": no summary, or one that says so", json.loads(summary.read_text())["exit_code"] if summary.exists() else CODES[kind], CODES[kind])
+        check(what + ": no summary, or one with the exit code", json.loads(summary.read_text())["exit_code"] if summary.exists() else CODES[kind], CODES[kind])
         summary.unlink(missing_ok=True)
 
-# Four seconds are for the iteration in hand: what follows it on a busy machine does not cost the checkpoint. Not with sanitizers: the
-# checkpoint itself takes too long then.
+# Four seconds are for the current iteration: later delays on a busy machine do not cost the checkpoint. Not with sanitizers, where the
+# checkpoint itself takes too long.
 if not SANITIZED:
     endless = [str(SCENE.parent.parent / "tunnel" / "tunnel_open.xml"), "--quiet", *setting("Mesh/Constants/scale", 3),
                *setting("Formulation", "Condensed Groups"), *setting("Outer Solver/Type", "Successive Approximation"),

@@ -1,5 +1,5 @@
-"""Random kills: a run that writes checkpoints gets SIGKILL, SIGTERM or SIGUSR1 on one of its ranks or on all, at a random moment; another
-number of ranks goes on, and is sometimes killed, too. Nothing is corrupt, and the end is that of a run that nobody has killed.
+"""Random kills: a run that writes checkpoints gets SIGKILL, SIGTERM or SIGUSR1 on one or all of its ranks at a random moment; another number
+of ranks continues and is sometimes killed, too. No file is corrupt, and the final result is that of an uninterrupted run.
 
 kills.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER [--count N] [--seed S] [--first I]
 """
@@ -24,7 +24,7 @@ options = arguments("--solve", "--input", parser=parser)
 work = options.work
 SCENE = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
 COARSE = setting("Mesh/Constants/scale", 3) + ["--quiet"]
-# Slow: these runs go on until a signal ends them, or nearly so.
+# Slow: these runs last until a signal ends them, or almost.
 SLOW = setting("Formulation", "Condensed Groups") + setting("Outer Solver/Type", "Successive Approximation") + \
     setting("Outer Solver/Maximum Iterations", 100000) + setting("Outer Solver/Tolerance", "1e-17") + setting("Output/Checkpoint Every", 1e-4)
 SIGNALS = [signal.SIGKILL, signal.SIGTERM, signal.SIGUSR1]
@@ -44,18 +44,18 @@ def processes(launcher):
     """The ranks: children of mpirun, or the process itself."""
     try:
         children = [int(c) for c in pathlib.Path(f"/proc/{launcher.pid}/task/{launcher.pid}/children").read_text().split()]
-        # Until it begins the program, a child is a copy of mpirun with its arguments: a signal to it is lost on the program.
+        # Before exec a child is a copy of mpirun with its arguments: a signal would not reach the program.
         return [c for c in children if pathlib.Path(os.readlink(f"/proc/{c}/exe")).name == pathlib.Path(options.solve).name]
     except (FileNotFoundError, ProcessLookupError, PermissionError):
         return []
 
 
 def kill_one(rng, what, ranks, folder, restart, longest):
-    """Starts a run and kills it; what it did, for messages."""
+    """Starts a run and kills it. Returns a description for messages."""
     how, delay = rng.choice(SIGNALS), rng.uniform(0, longest)
     born = time.time()
     process = subprocess.Popen(line(ranks, folder, *SLOW, *restart), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    # Half of them once it iterates and writes checkpoints, the others at any time from its start.
+    # Half of the kills come once the run iterates and writes checkpoints, the others at any time.
     if rng.random() < 0.5:
         checkpoint, until = folder / "checkpoint.h5", time.time() + 30 * SLOWER
         while process.poll() is None and time.time() < until and not (checkpoint.exists() and checkpoint.stat().st_mtime > born):
@@ -76,14 +76,14 @@ def kill_one(rng, what, ranks, folder, restart, longest):
         text = process.communicate(timeout=120 * SLOWER)[0]
         code = process.returncode
     except subprocess.TimeoutExpired:
-        # Open MPI 4.1's mpirun, told of the death of a rank that it is still starting, may wait for itself for ever (futex, all ranks gone).
+        # Open MPI 4.1's mpirun may deadlock if a rank dies while it is still being started (futex, all ranks gone).
         alone = ranks > 1 and not processes(process)
         process.kill()
         text, code = process.communicate()[0], "no end"
         if alone:
             return what + f"{how.name} after {delay:.2f} s, of which mpirun did not wake up"
     what += f"{how.name} after {delay:.2f} s to {len(hit)} of {ranks} ranks"
-    # Before the program listens, a signal does what it does to any program.
+    # Before the program installs its handlers, a signal has its default effect.
     unheard = {-how, 128 + how, 1, -signal.SIGTERM, 128 + signal.SIGTERM}
     left = summary(folder)
     if (code == 0 or not hit) and left and left["converged"]:
@@ -91,7 +91,7 @@ def kill_one(rng, what, ranks, folder, restart, longest):
     check(what + ": exit code", code, lambda c: c in unheard or c == 75 and how != signal.SIGKILL)
     check(what + ": no summary, or one of a run that was stopped", left and (left["exit_code"], left["converged"]), lambda s: s in (None, (75, False)))
     if code == 75:
-        check(what + ": a checkpoint, or words why there is none", (folder / "checkpoint.h5").exists() or "no new checkpoint" in text, True)
+        check(what + ": a checkpoint, or a message why there is none", (folder / "checkpoint.h5").exists() or "no new checkpoint" in text, True)
     return what
 
 

@@ -1,5 +1,5 @@
-"""A path of load steps: SIGUSR1 ends it after a step, and another number of ranks goes on from there, to where a run that was not stopped
-comes; its files; a step that is not solved.
+"""A path of load steps: SIGUSR1 stops it after a step, and another number of ranks continues to the result of an uninterrupted run; files of
+the path; a step that is not solved.
 
 load_steps.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
@@ -33,9 +33,9 @@ def steps(name):
 code, text, whole = run(1, "whole")
 check("exit code", code, 0)
 rows = steps("whole")
-check("a row a step", len(rows), whole["load_steps"]["count"])
+check("one row per step", len(rows), whole["load_steps"]["count"])
 series = json.loads((work / "whole" / "fields.vtkhdf.series").read_text())["files"]
-check("a file a step, with its time", [(f["name"], f["time"]) for f in series],
+check("one file per step, with its time", [(f["name"], f["time"]) for f in series],
       [(f"fields_{i:04d}.vtkhdf", float(row["time"])) for i, row in enumerate(rows)])
 check("they exist", all((work / "whole" / f["name"]).exists() for f in series), True)
 check("times of the scene are ends of steps", {0.25, 0.5, 0.75, 1.0, 1.25} <= {float(row["time"]) for row in rows}, True)
@@ -44,7 +44,7 @@ check("it is part of the verdict", whole["verification"]["work"]["value"] <= who
 history = list(csv.DictReader((work / "whole" / "history.csv").open()))
 check("steps in the history", {int(row["load_step"]) for row in history}, set(range(1, len(rows) + 1)))
 
-# Stopped after some steps; three of them are there at least.
+# Stopped after some steps, at least three.
 with open(work / "stopped.log", "w") as log:
     process = subprocess.Popen(harness.command(options.solve, 2, SCENE, "--output", work / "stopped", *FINE,
                                                *setting("Load Steps/Largest Change", "0.06")), stdout=log, stderr=log)
@@ -56,7 +56,7 @@ with open(work / "stopped.log", "w") as log:
 stopped = json.loads((work / "stopped" / "summary.json").read_text())
 check("its summary says where", "stopped on request, after t = " in stopped["failure"], True)
 before = steps("stopped")
-check("it has not come to its end", float(before[-1]["time"]), lambda t: 0 < t < 1.25)
+check("the path is not complete", float(before[-1]["time"]), lambda t: 0 < t < 1.25)
 code, text, rest = run(1, "stopped", "--restart", str(work / "stopped" / "checkpoint.h5"), *setting("Partition/METIS/Subdomains", 6))
 check("exit code of the rest", code, 0)
 after = steps("stopped")
@@ -65,7 +65,7 @@ check("its end", float(after[-1]["time"]), 1.25)
 check("files of all steps", sorted(p.name for p in (work / "stopped").glob("fields_*.vtkhdf")), [f"fields_{i:04d}.vtkhdf" for i in range(len(after))])
 for name in ("dissipated_work", "force sole x", "force sole y"):
     a, b = float(after[-1][name]), float(rows[-1][name])
-    check(name + " as without a stop", a / b - 1, lambda e: abs(e) < 1e-2)  # other steps: the path is not the same
+    check(name + " as without a stop", a / b - 1, lambda e: abs(e) < 1e-2)  # other steps: not the same path
 code, text, _ = run(1, "stopped", "--restart", str(work / "stopped" / "checkpoint.h5"))
 check("exit code at the end of the path", code, 3)
 check("message for it", "the checkpoint is at t = 1.25, but the last step ends at t = 1.25" in text, True)

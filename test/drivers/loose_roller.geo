@@ -1,4 +1,4 @@
-// A roller with a square hole in a ring that it does not fill.
+// A roller with a square hole, in a ring with clearance.
 DefineConstant[ clearance = {0.002} ];
 Point(1) = {0, 0, 0};
 R = 1 + clearance;

@@ -1,5 +1,5 @@
-"""The estimate of the memory beside what a run took: elements of the cheapest and the dearest shape in the plane on one and two ranks, and
-contact in space on matching nodes and by a mortar; with --all also the other shapes.
+"""Estimated against measured memory: the cheapest and the most expensive 2D element on one and two ranks, and 3D contact with matching nodes
+and with a mortar; with --all also the other shapes.
 
 memory.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER [--all]
 """
@@ -15,7 +15,7 @@ parser = argparse.ArgumentParser()
 parser.add_argument("--all", action="store_true")
 options = arguments("--solve", "--input", parser=parser)
 if SANITIZED:
-    sys.exit(77)  # skipped: AddressSanitizer takes several times as much
+    sys.exit(77)  # skipped: AddressSanitizer needs several times as much
 INPUT = pathlib.Path(options.input)
 CELLS = {"Triangle3": 260, "Triangle6": 130, "Quadrilateral4": 260, "Quadrilateral8": 150, "Quadrilateral9": 130}  # about 135,000 unknowns
 

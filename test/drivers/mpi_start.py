@@ -1,5 +1,5 @@
-"""Settings of Open MPI that a process makes which no launcher has started: they are there when MPI begins and gone after, a setting of the user
-wins, and below mpirun there are none (plugins/MpiProbe.cpp).
+"""Open MPI settings of a process that was not started by a launcher: they are set during MPI_Init and removed afterwards, settings of the user
+take precedence, and under mpirun nothing is set (plugins/MpiProbe.cpp).
 
 mpi_start.py --solve PROGRAM --probe LIBRARY --python FOLDER_OF_THE_PACKAGE --mpirun "mpirun ..." --work DIR --input FOLDER
 """
@@ -18,7 +18,7 @@ home = options.work / "home"
 
 
 def seen(name, words, **environment):
-    """What MPI saw when it began, and what the process had at its end."""
+    """Environment at MPI_Init and at the end of the process."""
     file = options.work / (name.replace(" ", "_") + ".txt")
     done = subprocess.run(words, capture_output=True, text=True, timeout=60 * SLOWER,
                           env={**BARE, "SUTURE_TEST_PROBE": str(file), "HOME": str(options.work), **environment})
@@ -37,7 +37,7 @@ for way, words in WAYS.items():
           ["init pml=^cm isolated=0", "after pml=^cm isolated=0"])
     check(f"{way}: the user's file wins", seen(way + " file", words, **{**more, "HOME": str(home)}), ["init pml=- isolated=1", "after " + UNSET])
     launched = [*options.mpirun.split(), "-np", "2", *words]
-    check(f"{way}: nothing is set below mpirun", [line.split()[1] for line in seen(way + " mpirun", launched, **more)], ["pml=-", "pml=-"])
+    check(f"{way}: nothing is set under mpirun", [line.split()[1] for line in seen(way + " mpirun", launched, **more)], ["pml=-", "pml=-"])
 if options.python:
     early = WAYS["python"][:-1] + ["from mpi4py import MPI; import suture; print(MPI.COMM_WORLD.size)"]
     check("python: nothing is set where MPI has begun before", seen("early", early, PYTHONPATH=options.python), ["init " + UNSET, "after " + UNSET])

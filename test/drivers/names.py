@@ -1,4 +1,4 @@
-"""Every registered strategy runs on the tunnel, and is not another one under a second name: its iteration history is its own.
+"""Every registered strategy runs on the tunnel, and none is a duplicate: the iteration histories differ.
 
 names.py --solve PROGRAM --schema PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
@@ -16,20 +16,20 @@ OPEN = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
 
 INTERFACE = ["--set", "Formulation=Contact On The Interface", "--set", "Outer Solver/Type=Active Set"]
 BDDC = [*INTERFACE, "--set", "Preconditioner/Type=BDDC"]
-# The parameters whose values are names in a registry, the settings that they are tried with, and why two of them may agree to the last digit.
+# Parameters whose values are names in a registry, the settings they are tested with, and values that may agree to the last digit.
 PARAMETERS = {
     "Outer Solver/Type": ([], set()),
     "Preconditioner/Type": ([], set()),
-    # Seams never leave a body and a body has one material: Young's moduli are equal wherever subdomains meet.
+    # Subdomain interfaces lie within a body, and a body has one material: adjacent subdomains have equal Young's moduli.
     "Preconditioner/Neumann-Neumann/Weighting": ([], {frozenset({"Multiplicity", "Young"})}),
     "Preconditioner/Neumann-Neumann/Coarse Space": ([], set()),
-    # Direct solvers: the same iterates but for rounding.
+    # Direct solvers: the same iterates up to round-off.
     "Preconditioner/Neumann-Neumann/Coarse Solver": ([], {frozenset({"CHOLMOD", "Amesos2"})}),
     "Preconditioner/BDDC/Weighting": (BDDC, {frozenset({"Multiplicity", "Young"})}),
     "Preconditioner/BDDC/Edge Constraints": (BDDC, set()),
     "Preconditioner/BDDC/Coarse Solver": (BDDC, {frozenset({"CHOLMOD", "Amesos2"})}),
     "Subdomain/Local Solver": ([], {frozenset({"CHOLMOD", "Amesos2"})}),
-    # One matrix, kept in two ways.
+    # One matrix, stored in two ways.
     "Subdomain/Schur Complement": ([], {frozenset(two) for two in itertools.combinations(("Automatic", "Explicit", "Implicit"), 2)}),
 }
 EXTRA = {
@@ -39,7 +39,7 @@ EXTRA = {
 
 
 def names_of(parameter):
-    """From the schema, so that a strategy that is added is tested without being named here. Lists are told by their indentation."""
+    """Read from the schema, so that new strategies are tested automatically. Lists are recognised by indentation."""
     text = subprocess.run([options.schema, "--format", "text"], capture_output=True, text=True, check=True).stdout
     above = []
     for line in text.splitlines():

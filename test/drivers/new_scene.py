@@ -1,8 +1,8 @@
-"""suture_new, and the scene of suture_schema: scenes that run, bodies and contacts found from geometries, refusals. new_scene.py --new PROGRAM --solve PROGRAM
+"""suture_new, and the scene of suture_schema: scenes that run, bodies and contacts found in geometries, refusals. new_scene.py --new PROGRAM --solve PROGRAM
 --mpirun "mpirun ..." --work DIR --input FOLDER [--full | --space]
 
-Geometries become scenes that are solved and verified: those of several bodies with coarse meshes on two ranks, with --full all of the input folder with
-their own on one and two, with --space geometries in space."""
+Geometries become scenes that are solved and verified: those of several bodies with coarse meshes on two ranks; with --full all geometries of the input
+folder with their own meshes on one and two ranks; with --space 3D geometries."""
 import argparse
 import json
 import pathlib
@@ -17,14 +17,14 @@ parser.add_argument("--space", action="store_true")
 options = arguments("--new", "--solve", "--input", "--schema", parser=parser)
 INPUT = pathlib.Path(options.input)
 HERE = pathlib.Path(__file__).resolve().parent
-# Constants that make meshes coarse.
+# Constants for coarse meshes.
 COARSE = {"arch": "h=.2", "bolted_joint": "h=2", "roller_bearing": "fine=.2"}
 COARSE_IN_SPACE = {"bolted_joint_3d": "h=8", "fault_3d": "order=1", "sphere": "resolution=3", "spheres": "resolution=2"}
 AXISYMMETRIC = {"bolted_joint"}
-# Contacts that are drawn to overlap, and by how much.
+# Contacts whose bodies overlap in the geometry, and the depth.
 OVERLAPS = {"bolted_joint": {"lower_seat on nut_seat": 0.08}, "shrink_fit": {"bore of the outer on outside of the inner": 0.02}}
 
-# Bodies and contacts of geometries, as those who drew them named them.
+# Bodies and contacts of the geometries, by their names there.
 KNOWN = {
     "tunnel": (["left", "right"], {("fault_lower_left", "fault_lower_right"), ("fault_upper_left", "fault_upper_right")}, 0.0),
     "hertz": (["block", "cylinder"], {("block_contact", "cylinder_contact")}, 0.0),
@@ -36,7 +36,7 @@ KNOWN_IN_SPACE = {
                                                             ("lower_seat", "nut_top")}),
     "fault_3d": (["left", "right"], {("fault_left", "fault_right")}),
     "sphere": (["ball"], set()),
-    # The rims of the balls face each other within reach, too.
+    # The rims of the balls are also within search distance of each other.
     "spheres": (["lower", "upper"], {("{lower_contact, lower_flank}", "{upper_contact, upper_flank}")}),
 }
 
@@ -58,7 +58,7 @@ def new(geometry, *words, ranks=1, scene="scene.xml"):
 
 
 def uncommented(name, path):
-    """The scene with all of its examples in place: lists and parameters beside each other have different names, and nothing else is between them."""
+    """The scene with all its examples uncommented: parameters and sublists of a list have different names, without text between them."""
     text, count = re.subn(r"<!--[^<]*?\n((?:[ ]*<(?!!).*>\n)+)[ ]*-->", r"\1", path.read_text())
     root = xml.fromstring(text)
     for element in root.iter():
@@ -70,15 +70,15 @@ def uncommented(name, path):
 
 
 def runs(geometry, ranks, *words):
-    """A geometry becomes a scene that is solved, verified, and in which something touches where contacts are proposed."""
+    """A geometry becomes a scene that is solved and verified; proposed contacts carry a force."""
     name = geometry.stem
     model = ["--model", "Axisymmetric"] if name in AXISYMMETRIC else []
     code, text, path = new(geometry, *model, *words, "--force", scene=f"{name}.xml")
     check(f"{name}: a scene", code, 0)
     found = {contact: float(depth) for contact, depth in re.findall(r"contact: (.*), overlap of ([^ ,]+)", text)}
-    check(f"{name}: overlaps are told", found, lambda told: told.keys() == OVERLAPS.get(name, {}).keys() and
-          all(abs(depth - OVERLAPS[name][contact]) < .02 * depth for contact, depth in told.items()))
-    check(f"{name}: all is held", "does not run yet" in text, False)
+    check(f"{name}: overlaps are reported", found, lambda depths: depths.keys() == OVERLAPS.get(name, {}).keys() and
+          all(abs(depth - OVERLAPS[name][contact]) < .02 * depth for contact, depth in depths.items()))
+    check(f"{name}: all bodies are held", "does not run yet" in text, False)
     for number in ranks:
         code, text = run(options.solve, number, path, "--output", options.work / name)
         check(f"{name}: the scene runs on {number} rank(s)", (code, "verified: forces, supports and contact hold" in text), (0, True))
@@ -91,7 +91,7 @@ if options.full:
         runs(geometry, (1, 2))
     finish()
 
-# Two hexahedral blocks of elements of first and second order, one pressed on the other by a ten-thousandth of its diagonal beyond the gap.
+# Two hexahedral blocks of first- or second-order elements; the upper one is pushed by the gap plus 1e-4 of the diagonal.
 HEXAHEDRA = """
 DefineConstant[ order = {1}, gap = {.01} ];
 name_0 = "lower"; name_1 = "upper";
@@ -125,14 +125,14 @@ if options.space:
         runs(geometry, (2,), "--constant", f"order={order}")
         push = json.loads((options.work / "hexahedra" / "summary.json").read_text())["parameters"]["Boundary Conditions"]["push upper"]["Value"]
         check("the push closes the gap and presses by a ten-thousandth", push, lambda u: u[:2] == [0, 0] and abs(u[2] + .01 + 1e-4 * 6 ** .5) < 1e-7)
-    # From a mesh whose sides have two names each, as Gmsh writes its .inp files.
+    # A mesh with two names per side, as in Gmsh's .inp files.
     geometry.write_text(HEXAHEDRA % 0 + 'Physical Surface("second name of it") = {top[0]};\n')
     code, text, path = new(geometry, "--force", scene="named.xml")
-    check("a second name of a side makes no contact of its own", (code, "contact: lower_top on upper_bottom" in text, "1 contact proposed" in text),
+    check("a second name of a side makes no second contact", (code, "contact: lower_top on upper_bottom" in text, "1 contact proposed" in text),
           (0, True, True))
     finish()
 
-# The documented scene runs as it is: a pressure of 1e6 on a width of 2 goes through the contact.
+# The documented scene runs unchanged: the contact carries a pressure of 1e6 on a width of 2.
 code, text = run(options.schema, 1, "--format", "xml")
 documented = options.work / "documented.xml"
 documented.write_text(text)
@@ -148,13 +148,13 @@ for name, (bodies, contacts, gap) in KNOWN.items():
     root = xml.parse(path).getroot()
     check(f"{name}: bodies", sorted(e.get("name") for e in sublists(root, "Bodies")), bodies)
     check(f"{name}: contacts", {(parameter(e, "Side A"), parameter(e, "Side B")) for e in sublists(root, "Contact")}, contacts)
-    told = [float(word) for word in re.findall(r"minimum distance (\S+)", text)]
-    check(f"{name}: the least distance is told", told, lambda found: all(abs(one - gap) < .01 * max(gap, 1e-12) for one in found))
+    distances = [float(word) for word in re.findall(r"minimum distance (\S+)", text)]
+    check(f"{name}: the least distance is reported", distances, lambda found: all(abs(one - gap) < .01 * max(gap, 1e-12) for one in found))
     again = path.read_text()
     new(INPUT / name / f"{name}.geo", "--force", ranks=1, scene=f"{name}.xml")
     check(f"{name}: the same on one rank", path.read_text(), again)
 
-# Bodies that only contact holds, sides that several bodies share, sides that overlap; --full has all geometries.
+# Bodies held only by contact, sides shared by several bodies, overlapping sides; --full runs all geometries.
 for name in ("arch", "bolted_joint", "roller_bearing"):
     runs(INPUT / name / f"{name}.geo", (2,), "--constant", COARSE[name])
 check("sides in a plane of symmetry are found", 'value="{ring_cut, roller_0_cut, shaft_cut}"' in (options.work / "roller_bearing.xml").read_text(), True)
@@ -164,7 +164,7 @@ for name in ("loose_roller", "pile_of_discs", "shaft_in_plates", "shrink_fit"):
 code, text, path = new(INPUT / "tunnel" / "tunnel.geo", scene="tunnel.xml")
 check("an existing scene is kept", (code, "overwrite it with --force" in text), (3, True))
 
-# Two blocks that share nodes, and a third beside them that touches one side of both.
+# Two blocks that share nodes, and a third one that touches a side of both.
 GEO = """
 SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 1, 1}; Rectangle(2) = {1, 0, 0, 1, 1};
@@ -185,9 +185,9 @@ code, text, path = new(geometry, scene="joined.xml")
 root = xml.parse(path).getroot()
 check("a group of all of it is the body", sorted(e.get("name") for e in sublists(root, "Bodies")), ["both", "lid"])
 check("its parts are offered as regions", [f'name="Group" type="string" value="{part}"' in path.read_text() for part in "ab"], [True, True])
-check("sides without a name that face another body are told", "with sides in no curve group: name them" in text, True)
+check("unnamed sides that face another body are reported", "with sides in no curve group: name them" in text, True)
 
-# Two blocks in space, one on the other.
+# Two stacked 3D blocks.
 geometry = options.work / "stack.geo"
 geometry.write_text("""
 SetFactory("OpenCASCADE");
@@ -197,21 +197,21 @@ Physical Volume("lower") = {1}; Physical Volume("upper") = {2};
 Physical Surface("lower_bottom") = {5}; Physical Surface("lower_top") = {6}; Physical Surface("upper_bottom") = {11};
 """)
 code, text, path = new(geometry, scene="stack.xml")
-check("a scene in space", (code, "2 bodies, 3 surface groups, 1 contact proposed" in text), (0, True))
+check("a 3D scene", (code, "2 bodies, 3 surface groups, 1 contact proposed" in text), (0, True))
 root = xml.parse(path).getroot()
 check("its model", parameter(root, "Model"), "Solid")
 check("its contact", [(parameter(e, "Side A"), parameter(e, "Side B")) for e in sublists(root, "Contact")], [("lower_top", "upper_bottom")])
-check("the gap is told", re.findall(r"minimum distance (\S+)", text), ["0.25"])
+check("the gap is reported", re.findall(r"minimum distance (\S+)", text), ["0.25"])
 held = [e for e in sublists(root, "Boundary Conditions") if parameter(e, "Type") == "Displacement"]
 check("its support", [(parameter(e, "Group"), parameter(e, "Value")) for e in held][:1], [("lower_bottom", "{0, 0, 0}")])
 check("its groups are listed", re.findall(r"surface +lower_top  on lower, from (.*) to (.*), .* area (\S+)", path.read_text()), [("(0, 0, 1)", "(2, 1, 1)", "2")])
 code, text, path = new(geometry, "--model", "Plane Strain", scene="flat.xml")
-check("a plane model in space is refused", (code, "expected Solid" in text, path.exists()), (3, True, False))
+check("a 2D model of a 3D geometry is refused", (code, "expected Solid" in text, path.exists()), (3, True, False))
 code, text, path = new(INPUT / "pin" / "pin.geo", "--model", "Solid", scene="solid.xml")
 check("and the other way round", (code, "expected Plane Strain" in text, path.exists()), (3, True, False))
 
 
-# Coordinates that are rounding are zeros; units are the user's, and the numbers of the example fit them.
+# Coordinates at round-off level become zeros; the example's numbers are in the user's units.
 geometry = options.work / "turned.geo"
 geometry.write_text("""
 SetFactory("OpenCASCADE");
@@ -224,7 +224,7 @@ Physical Curve("low_bottom") = {a(0)}; Physical Curve("low_top") = {a(2)}; Physi
 Physical Curve("low_left") = {a(3)}; Physical Curve("up_left") = {b(3)}; Physical Curve("low_right") = {a(1)}; Physical Curve("up_right") = {b(1)};
 """)
 code, text, path = new(geometry, "--units", "mm, N, MPa", scene="turned.xml")
-check("a turned geometry: numbers of rounding", (code, re.findall(r"\S*e-1[0-9]\b", path.read_text() + text)), (0, []))
+check("a turned geometry: numbers at round-off level", (code, re.findall(r"\S*e-1[0-9]\b", path.read_text() + text)), (0, []))
 root, count = uncommented("turned", path)
 check("a turned geometry: both planes of symmetry", sorted(e.get("name") for e in sublists(root, "Boundary Conditions") if "symmetry" in e.get("name")),
       ["symmetry x", "symmetry x 2"])
@@ -239,7 +239,7 @@ check("with these units", summary["units"], "mm, N, MPa")
 code, text = run(options.solve, 1, geometry)
 check("a geometry in place of a scene: what to do", (code, text.count(f"suture_new {geometry}")), (3, 1))
 
-# What no rule can do is said, and the scene has the place to fill in.
+# Missing data is reported, and the scene has placeholders for it.
 BLOCKS = """
 SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 1, 1}; Rectangle(2) = {0, 1, 0, 1, 1};
@@ -250,7 +250,7 @@ a() = Boundary{ Surface{1}; }; b() = Boundary{ Surface{2}; };
 geometry = options.work / "blocks.geo"
 geometry.write_text(BLOCKS + 'Physical Curve("a_bottom") = {a(0)}; Physical Curve("a_top") = {a(2)};\n')
 code, text, path = new(geometry, scene="bare.xml")
-check("a body without a curve group is told", (code, "body 'b' has no curve group" in text, "FILL IN: body 'b'" in path.read_text()), (0, True, True))
+check("a body without a curve group is reported", (code, "body 'b' has no curve group" in text, "FILL IN: body 'b'" in path.read_text()), (0, True, True))
 code, text = run(options.solve, 1, path, "--output", options.work / "bare")
 check("and named when it is solved", (code, "Bodies/b: nothing holds this body" in text), (3, True))
 geometry.write_text(BLOCKS)
@@ -258,10 +258,10 @@ code, text, path = new(geometry, scene="nameless.xml")
 check("a geometry without curve groups has the place for a support", (code, "FILL IN: the geometry has no curve group" in path.read_text()), (0, True))
 geometry.write_text(BLOCKS + 'Physical Curve("joint") = {a(2), b(0)}; Physical Curve("bottom") = {a(0)};\n')
 code, text, path = new(geometry, scene="shared.xml")
-check("one group for both sides of a contact is told", (code, "in the curve group 'joint', which is on several bodies" in text), (0, True))
+check("one group for both sides of a contact is reported", (code, "in the curve group 'joint', which is on several bodies" in text), (0, True))
 geometry.write_text(BLOCKS + 'Physical Curve("around a") = {a()}; Physical Curve("around b") = {b()};\n')
 code, text, path = new(geometry, scene="corners.xml")
-check("a contact that suture_solve would refuse is left out, and why", (code, "left out of the scene: 'around a' turns by 90 degrees" in text), (0, True))
+check("a contact that suture_solve would refuse is left out with a reason", (code, "left out of the scene: 'around a' turns by 90 degrees" in text), (0, True))
 code, text = run(options.solve, 1, path, "--output", options.work / "corners")
 check("its scene runs", code, 0)
 
@@ -275,5 +275,5 @@ code, text, path = new(INPUT / "pin" / "pin.geo", "--constant", "clearnace=.1", 
 check("a constant that is not there is refused with the nearest", (code, "clearance" in text, path.exists()), (3, True, False))
 code, text, path = new(INPUT / "pin" / "pin.geo", "--constant", "clearance=.05", scene="wide.xml")
 code, text = run(options.solve, 1, path, "--check", "--output", options.work / "wide")
-check("constants stand in the scene", (code, 'name="clearance"' in path.read_text()), (0, True))
+check("constants are in the scene", (code, 'name="clearance"' in path.read_text()), (0, True))
 finish()

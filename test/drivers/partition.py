@@ -1,4 +1,4 @@
-"""suture_partition as a user runs it: the scene solved on the file that it writes is the scene.
+"""suture_partition as a user runs it: solving on the file that it writes gives the same result as the scene.
 
 partition.py --partition PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
@@ -21,7 +21,7 @@ def solve(name, scene, ranks, *words):
 
 
 def readingFrom(mesh):
-    """The scene with its mesh from a file, as a user would write it."""
+    """The scene with its mesh read from a file, as a user would write it."""
     text = re.sub(r'<ParameterList name="Mesh">.*?</ParameterList>\s*(?=<ParameterList name="Bodies">)',
                   f'<ParameterList name="Mesh"><Parameter name="File" type="string" value="{mesh}"/></ParameterList>\n', SCENE.read_text(), flags=re.S)
     path = work / (mesh.stem + ".xml")
@@ -34,7 +34,7 @@ for ranks in (1, 2, 4):
     mesh = work / f"cut{ranks}.h5"
     code, text = run(options.partition, ranks, SCENE, "--output", mesh, *METIS)
     check(f"np{ranks}: exit code", code, 0)
-    check(f"np{ranks}: says what to write into the scene", "Partitioned Mesh" in text and "cut_*" in text, True)
+    check(f"np{ranks}: prints what to write into the scene", "Partitioned Mesh" in text and "cut_*" in text, True)
     named = ["--set", "Partition/Type=Named Groups", "--set", "Partition/Named Groups/Pattern=cut_*", "--set", "Outer Solver/Tolerance=1e-10"]
     again = solve(f"again{ranks}", readingFrom(mesh), ranks, *named)
     for key in ("subdomains", "elements", "dofs", "interface_dofs"):
@@ -43,11 +43,11 @@ for ranks in (1, 2, 4):
     check(f"np{ranks}: energy", again["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-10)
 check("the same file on one and on four ranks", (work / "cut1.h5").stat().st_size, (work / "cut4.h5").stat().st_size)
 
-# Each rank reads its own subdomains, on other numbers of ranks than the file was made on; both formulations.
+# Each rank reads only its subdomains, with other numbers of ranks than the file was made with; both formulations.
 PARTITIONED = ["--set", "Partition/Type=Partitioned Mesh", "--set", "Outer Solver/Tolerance=1e-10"]
 GROUPS = ["--set", "Formulation=Condensed Groups", "--set", "Outer Solver/Type=Semismooth Newton", "--set", "Preconditioner/Type=Neumann-Neumann"]
 scene = readingFrom(work / "cut2.h5")
-# The patch test's exact solution: where the mesh is in pieces, so are the sides of the contact line that the pressure is measured on.
+# The patch test's exact solution: in a partitioned mesh the sides of the contact line, on which the pressure is measured, are partitioned, too.
 EXACT = [word for name, text in (("Displacement x", "0"), ("Displacement y", "-0.05*(1 + y)"), ("Stress xx", "0"), ("Stress yy", "-1e5"),
                                  ("Stress xy", "0"), ("Pressure", "1e5")) for word in ("--set", f"Exact Solution/{name}={text}")]
 for ranks in (1, 2, 4):
@@ -84,24 +84,24 @@ check("--no-cut: energy", again["energy"] / whole["energy"] - 1, lambda e: abs(e
 
 # Errors are reported on any number of ranks.
 for ranks in (1, 2):
-    # More subdomains than elements: cutting would be refused, were it tried.
+    # More subdomains than elements: cutting would fail if it were tried.
     impossible = ["--set", "Partition/Type=METIS", "--set", "Partition/METIS/Subdomains=1000000"]
     code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--groups", "subdomain", *impossible)
     check(f"np{ranks}: a name that the mesh has: exit code", code, 3)
-    check(f"np{ranks}: a name that the mesh has: says so before it cuts", (text.count("  --groups: "), "Subdomains" in text), (1, False))
+    check(f"np{ranks}: a name that the mesh has: refused before cutting", (text.count("  --groups: "), "Subdomains" in text), (1, False))
     check(f"np{ranks}: a name that the mesh has: writes nothing", (work / "again.h5").exists(), False)
     code, text = run(options.partition, ranks, SCENE, "--output", work / "no" / "such" / "folder.h5", *METIS)
     check(f"np{ranks}: cannot be written: exit code", code, 5)
     for name in ("again.xml", "again"):
         code, text = run(options.partition, ranks, SCENE, "--output", work / name)
         check(f"np{ranks}: output {name}: exit code", code, 2)
-        check(f"np{ranks}: output {name}: says what was found and expected", f"{name}', expected a file name that ends in .h5" in text, True)
+        check(f"np{ranks}: output {name}: prints what was found and expected", f"{name}', expected a file name that ends in .h5" in text, True)
         check(f"np{ranks}: output {name}: writes nothing", (work / name).exists(), False)
     code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--set", "Partition/Type")
     check(f"np{ranks}: --set without a value: exit code and form", (code, "not of the form Path/To/Parameter=value" in text), (2, True))
     code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--set", "Partition/Type=Partitioned Mesh")
-    check(f"np{ranks}: to be cut as it is cut already: exit code and what to choose", (code, "choose METIS or Named Groups" in text), (3, True))
-    check(f"np{ranks}: to be cut as it is cut already: writes nothing", (work / "again.h5").exists(), False)
+    check(f"np{ranks}: already cut in this way: exit code and alternatives", (code, "choose METIS or Named Groups" in text), (3, True))
+    check(f"np{ranks}: already cut in this way: writes nothing", (work / "again.h5").exists(), False)
     code, text = run(options.partition, ranks, SCENE, "--outptu", "x.h5")
     check(f"np{ranks}: misspelt option: exit code", code, 2)
     code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--set", "Partition/METIS/Subdomian=6")

@@ -1,4 +1,4 @@
-"""suture_partition in space: scenes solved on the files that it writes have their exact answers, on any ranks, in both formulations.
+"""suture_partition in 3D: scenes solved on the files that it writes give the exact solution, on any number of ranks, in both formulations.
 
 partition_in_space.py --partition PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
@@ -22,7 +22,7 @@ GROUPS = setting("Formulation", "Condensed Groups") + setting("Outer Solver/Type
 
 
 def reading(scene, mesh):
-    """The scene with its mesh from a file, as a user would write it."""
+    """The scene with its mesh read from a file, as a user would write it."""
     text = re.sub(r'<ParameterList name="Mesh">.*?</ParameterList>\s*(?=<ParameterList name="Bodies">)',
                   f'<ParameterList name="Mesh"><Parameter name="File" type="string" value="{mesh}"/></ParameterList>\n',
                   scene.read_text(), flags=re.S)
@@ -44,7 +44,7 @@ def solve(name, ranks, scene, *words):
     return json.loads((work / name / "summary.json").read_text()) if code == 0 else {}
 
 
-# The patch test: stress -p in z everywhere, energy -p^2 / 2 E over 1 m3, displacement linear.
+# The patch test: sigma_zz = -p everywhere, energy -p^2 / 2 E over 1 m3, linear displacement.
 EXACT = [word for name, text in (("Displacement x", "0.3*x/20"), ("Displacement y", "0.3*y/20"), ("Displacement z", "-(z + 0.5)/20"), ("Stress xx", "0"),
                                  ("Stress yy", "0"), ("Stress zz", "-1e5"), ("Stress xy", "0"), ("Stress yz", "0"), ("Stress xz", "0"), ("Pressure", "1e5"))
          for word in setting(f"Exact Solution/{name}", text)]
@@ -69,8 +69,8 @@ for cells, ranks in ((("Hexahedron8", "Tetrahedron10"), 2), (("Tetrahedron4", "H
     code, text = run(options.solve, 2, scene, "--output", work / "other", *PARTITIONED, *setting("Model", "Plane Strain"))
     check(f"{name}: another model is refused by name", (code, "Model: changed since" in text), (3, True))
 
-# Curved sides from Gmsh that do not match: as without the file; a quarter of the force F = 586080.6 N goes through the contact. (Sides
-# of second order enclose an area that is a little smaller than the circle's.)
+# Curved non-matching sides from Gmsh: same result as without the file; the contact carries a quarter of the force F = 586080.6 N. (Second-order
+# sides enclose a slightly smaller area than the circle.)
 COARSE = setting("Mesh/Constants/resolution", 2)
 METIS = setting("Partition/Type", "METIS") + setting("Partition/METIS/Subdomains", 5)
 code, text = run(options.solve, 1, BALLS, "--check", *COARSE)

@@ -1,6 +1,6 @@
-"""Labels in the pictures of suture_plot, by matplotlib's own boxes: none covers another, a tick, or anything that it names.
+"""Checks labels in the pictures of suture_plot by matplotlib's bounding boxes: none covers another label, a tick, or a marked object.
 
-Text boxes are asked of the renderer; marked places, named lines and signs are the artists with the group ids "marked", "named", "sign".
+The renderer computes the text boxes; marked places, named lines and signs are the artists with the group ids "marked", "named", "sign".
 """
 import matplotlib.pyplot as plt
 import numpy as np
@@ -8,16 +8,16 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.text import Annotation, Text
 
-MOST_PIXELS = 1800  # height of a picture as it is saved
+MOST_PIXELS = 1800  # height of a saved picture
 
 
 def box_of(text, renderer):
-    """The text's own box: that of an annotation would hold its leader, too."""
+    """Box of the text alone; the box of an annotation includes its leader."""
     return Text.get_window_extent(text, renderer)
 
 
 def ticks(axes):
-    """Labels of ticks within the limits, of both axes."""
+    """Tick labels within the limits of both axes."""
     frame = axes.get_window_extent().padded(0.5)
     for axis, low, high in ((axes.xaxis, frame.x0, frame.x1), (axes.yaxis, frame.y0, frame.y1)):
         for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks()):
@@ -27,7 +27,7 @@ def ticks(axes):
 
 
 def texts(figure):
-    """All that is to be read and stands on its own: [(words, text)]. Texts of legends are laid out by matplotlib."""
+    """All free texts: [(words, text)]. matplotlib lays out the texts of legends."""
     found = []
     for axes in figure.axes:
         if not axes.get_visible():
@@ -45,7 +45,7 @@ def overlap(a, b):
 
 
 def beside(a, b, dpi):
-    """Whether two texts, turned by the same angle, lie on lines far enough apart: their upright boxes may overlap."""
+    """Whether two texts, rotated by the same angle, lie on lines far enough apart, although their upright boxes may overlap."""
     angle = np.radians(a.get_rotation())
     if a.get_rotation() != b.get_rotation() or a.get_rotation() % 90 == 0:
         return False

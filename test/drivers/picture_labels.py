@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Labels in the pictures of suture_plot by picture_faults.py, on scenes with many of them.
+"""Labels in the pictures of suture_plot, checked by picture_faults.py on scenes with many labels.
 
     picture_labels.py --solve suture_solve --plot suture_plot --input DIR --work DIR --mpirun "..." [--full]
 """
@@ -31,7 +31,7 @@ from suture_plot_parts.study import Table, study_figure  # noqa: E402
 
 
 def planted():
-    """The check itself: a label on a marked place, and one on another, are found."""
+    """The check itself finds a label on a marked place and one on another label."""
     figure, axes = plt.subplots()
     axes.plot([0.5], [0.5], "o", gid="marked")
     axes.annotate("covers", (0.5, 0.5), (0, 0), textcoords="offset points", ha="center", va="center")
@@ -42,7 +42,7 @@ def planted():
 
 
 def crowded(folder, source):
-    """A run whose summary has long names and one condition of every kind that has a sign."""
+    """A run whose summary has long names and one condition of every kind with a symbol."""
     shutil.copytree(source, folder)
     summary = json.loads((folder / "summary.json").read_text())
     given = summary["parameters"]
@@ -70,7 +70,7 @@ def study_table(folder, labels, logarithmic):
     return Table(folder / "study.json"), plot
 
 
-check("a label on what it names is found", planted(), True)
+check("a label on the object that it names is found", planted(), True)
 warnings.simplefilter("error")  # raw text of a library
 for scene, words in SCENES.items():
     folder = options.work / scene
@@ -82,8 +82,8 @@ for scene, words in SCENES.items():
         check(f"{scene}, {picture.name}: shape", shape(picture) if picture.name != "convergence" else [], [])
         names.append(picture.name)
         if picture.name == "deformation":
-            told = "(interference is not)" in picture.figure.axes[0]._left_title.get_text()
-            check(f"{scene}: an interference that is drawn is told", (told, "is not enlarged" in picture.caption), (scene == "bolted_joint",) * 2)
+            stated = "(interference is not)" in picture.figure.axes[0]._left_title.get_text()
+            check(f"{scene}: a drawn interference is stated", (stated, "is not enlarged" in picture.caption), (scene == "bolted_joint",) * 2)
         if picture.name == "mesh":
             labels = {text.get_text() for text in picture.figure.axes[0].texts}
             missing = [name for name in RunFolder(folder).fields.side_groups if not {name, re.sub(r"\d+", "*", name)} & labels]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""report.html of suture_plot: whole, without network, with the numbers of summary.json; clear errors for what is no run.
+"""report.html of suture_plot: complete, without network access, with the numbers of summary.json; clear errors for folders that are not runs.
 
     report.py --solve suture_solve --plot suture_plot --input DIR --work DIR --mpirun "..."
 """
@@ -14,7 +14,7 @@ import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
 from pathlib import Path
 
-import h5py  # noqa: F401, here and below: once for all forks
+import h5py  # noqa: F401, here and below: imported once for all forks
 import matplotlib.pyplot  # noqa: F401
 from PIL import Image, ImageChops
 from harness import arguments, check, finish, forked, run, setting
@@ -26,7 +26,7 @@ scenes = Path(options.input)
 
 
 class Nesting(HTMLParser):
-    """Whether every element is closed where it was opened, as a browser reads the page."""
+    """Whether all elements are properly nested, as a browser requires."""
 
     def __init__(self):
         super().__init__()
@@ -42,7 +42,7 @@ class Nesting(HTMLParser):
 
 
 def started(program, *words):
-    """Exit code and output of a program in Python, started as a user starts it."""
+    """Exit code and output of a Python program, started as a user starts it."""
     done = subprocess.run([sys.executable, "-B", program, *map(str, words)], capture_output=True, text=True, timeout=200)
     return done.returncode, done.stdout + done.stderr
 
@@ -52,7 +52,7 @@ def plot(folder, *more):
 
 
 def page_of(name, folder):
-    """The page as a tree, after the checks that hold for every report."""
+    """Checks common to all reports. Returns the page as a tree."""
     text = (folder / "report.html").read_text(encoding="utf-8")
     nesting = Nesting()
     nesting.feed(text)
@@ -79,14 +79,14 @@ def page_of(name, folder):
 
 
 def pixels_off(image, path):
-    """Part of the pixels in which an embedded picture is farther than a twentieth of the scale from its file."""
+    """Fraction of pixels where an embedded picture differs from its file by more than a twentieth of the scale."""
     with Image.open(io.BytesIO(base64.b64decode(image.get("src").split(",", 1)[1]))) as embedded, Image.open(path) as file:
         difference = ImageChops.difference(embedded.convert("RGB"), file.convert("RGB"))
     return sum(difference.convert("L").histogram()[13:]) / (difference.width * difference.height)
 
 
 def reads(data):
-    """Whether the text of a number is the number, to the digits that are written."""
+    """Whether a text equals the number to its written digits."""
     text, whole = data.text.replace(",", "").replace("\u2212", "-"), re.fullmatch(r"-?[0-9]+", data.get("value"))
     value = float(data.get("value"))
     return float(text) == value if whole else abs(float(text) - value) <= 6e-3 * abs(value)
@@ -106,7 +106,7 @@ def row(tree, section, first):
 
 
 def same_numbers(name, tree, summary):
-    """Numbers of the page against those of summary.json, all digits."""
+    """Compares the numbers of the page with summary.json, all digits."""
     for key in ("von_mises", "tension", "compression", "displacement", "pressure"):
         known = summary["extremes"][key]
         card = tree.find(f".//div[@id='extreme_{key}']")
@@ -139,7 +139,7 @@ def said(tree, section):
     return " ".join(tree.find(f".//section[@id='{section}']").itertext())
 
 
-# Runs that ended well.
+# Successful runs.
 for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "true"), 9), ("linear_square", [], 5), ("cattaneo", [], 10)):
     folder, summary = solved(name, scenes / name / f"{name}.xml", 0, *more)
     code, text = started(options.plot, folder)
@@ -161,17 +161,17 @@ for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "
         check(f"{name}: error estimate", row(tree, "error", "discretisation, estimated from recovered stresses, energy norm"),
               [summary["error"]["estimated_energy_norm"], summary["error"]["estimated_energy_norm_relative"]])
 
-# A run that did not converge, and one whose answer is not determined.
+# A run that did not converge, and one whose solution is not unique.
 for name, scene, more in (("not_converged", scenes / "pin" / "pin.xml", setting("Outer Solver/Maximum Iterations", "1")),
                           ("not_determined", Path(__file__).with_name("loose_block.xml"), [])):
     folder, summary = solved(name, scene, 4, *more)
     check(f"{name}: suture_plot", plot(folder)[0], 0)
     tree, drawn = page_of(name, folder)
     banner = tree.find(".//div[@id='banner']")
-    check(f"{name}: the failure is said", (banner.get("class"), summary["failure"][1:] in "".join(banner.itertext())), ("verdict bad", True))
+    check(f"{name}: the failure is reported", (banner.get("class"), summary["failure"][1:] in "".join(banner.itertext())), ("verdict bad", True))
     same_numbers(name, tree, summary)
 
-# Without fields: a report without pictures of them; fields of an earlier run in the same folder are not taken.
+# Without fields: a report without their pictures; fields of an earlier run in the same folder are not used.
 folder, summary = solved("linear_square", scenes / "linear_square" / "linear_square.xml", 0, *setting("Output/Fields", "false"))
 code, text = plot(folder, "--output", options.work / "elsewhere")
 check("without fields: suture_plot", (code, "wrote no fields" in text), (0, True))
@@ -179,7 +179,7 @@ tree, drawn = page_of("without fields", options.work / "elsewhere")
 check("without fields: pictures", drawn, 0)
 same_numbers("without fields", tree, summary)
 
-# Names that are long or have signs of markup, and nulls for what is not finite.
+# Long names, names with markup characters, and nulls for non-finite values.
 strange = options.work / "strange"
 shutil.copytree(options.work / "not_determined", strange)
 summary = json.loads((strange / "summary.json").read_text())
@@ -195,7 +195,7 @@ parameters["Boundary Conditions"]["unknown type <b>"] = {"Group": ["block_top"],
 (strange / "summary.json").write_text(json.dumps(summary))
 check("strange names: suture_plot", plot(strange)[0], 0)
 tree, _ = page_of("strange names", strange)
-check("strange names: null is said", "not finite" in said(tree, "verdict") and "FAILS" in said(tree, "verdict"), True)
+check("strange names: null is reported", "not finite" in said(tree, "verdict") and "FAILS" in said(tree, "verdict"), True)
 
 # Clear errors.
 good = (options.work / "not_determined" / "summary.json").read_text()
@@ -214,7 +214,7 @@ for name, text, words in (
 empty = options.work / "empty"
 empty.mkdir()
 code, text = plot(empty)
-check("a folder that is none of a run", (code, "has no summary.json" in text), (3, True))
+check("a folder that is not a run", (code, "has no summary.json" in text), (3, True))
 (empty / "study.json").write_text("{}")
 code, text = plot(empty)
 check("a folder of a study that is damaged", (code, "has no study.json of suture_study, or it is damaged" in text, "Traceback" in text), (3, True, False))
@@ -222,7 +222,7 @@ check("a folder of a study that is damaged", (code, "has no study.json of suture
 code, text = plot(empty)
 check("a folder whose last run did not finish", (code, "did not finish" in text), (3, True))
 
-# A study with failed runs: one whose columns are known, one without any.
+# Studies with failed runs: one with known columns, one without any.
 study = options.work / "study"
 study.mkdir()
 cells = {("small", "None"): [4.0, 19.0], ("small", "Kernels"): [4.0, 9.0], ("large", "None"): [None, None], ("large", "Kernels"): [16.0, 15.0]}
@@ -243,12 +243,12 @@ for plotted, crosses, words in ((plots[0], 2, "no solution: 2 of 4 runs"), (plot
 
 
 def numbers(axis):
-    """Numbers that stand at an axis within its ends."""
+    """Numbers shown at an axis within its limits."""
     low, high = axis.get_view_interval()
     return [tick.label1.get_text() for tick in axis.get_major_ticks() if tick.label1.get_text() and low <= tick.get_loc() <= high]
 
 
-# A logarithmic axis has numbers, also where no power of ten lies within it.
+# A logarithmic axis has numbers even if it contains no power of ten.
 for least, most in ((2, 9), (2, 60), (2, 900), (101, 109), (15, 17), (0.003, 0.005)):
     ramp = [least * (most / least)**(i / 11) for i in range(12)]
     (study / "ramp.json").write_text(json.dumps({**planted, "sweeps": [], "columns": ["x", "y"], "rows": [

@@ -1,5 +1,5 @@
-"""Two runs of a scene on equal ranks are equal to the last bit: all fields and tables but for times, all figures of the summary but for times and
-memory. The second run has other garbage in new and freed memory. Other numbers of ranks agree to tolerance, as --again says.
+"""Two runs of a scene on the same number of ranks are bitwise identical: fields, tables and summary, except times and memory. The second run has
+other garbage in new and freed memory. Runs on other numbers of ranks agree to tolerance, as --again reports.
 
 reproducible.py --solve PROGRAM --work DIR --input FOLDER --mpirun "mpirun ..." [--all]
     --all: every scene of the input folder that has expected results
@@ -22,20 +22,20 @@ parser.add_argument("--all", action="store_true")
 options = arguments("--solve", "--input", parser=parser)
 options.solve = pathlib.Path(options.solve).resolve()
 scenes = pathlib.Path(options.input).resolve()
-# Without friction on a mesh of Gmsh, with friction, in space, along load steps: ranks of each.
+# Frictionless on a Gmsh mesh, with friction, 3D, load steps: numbers of ranks for each.
 CHOSEN = {"tunnel/tunnel_metis": (1, 2, 4), "friction_block/friction_block": (1, 2, 4), "patch_3d/patch_3d": (1, 2, 4), "cattaneo/cattaneo": (2,)}
 TIMES = ("seconds", "setup_seconds", "iteration_seconds", "phases", "peak_memory_mb")
 
 
 def withoutTimes(value):
-    """A summary without what no two runs have in common."""
+    """A summary without the entries that differ between any two runs."""
     if isinstance(value, dict):
         return {key: withoutTimes(one) for key, one in value.items() if key not in TIMES}
     return [withoutTimes(one) for one in value] if isinstance(value, list) else value
 
 
 def paths(a, b, path=""):
-    """Where two summaries differ."""
+    """Entries in which two summaries differ."""
     if isinstance(a, dict) and isinstance(b, dict) and a.keys() == b.keys():
         return [one for key in a for one in paths(a[key], b[key], f"{path}/{key}")]
     return [] if json.dumps(a) == json.dumps(b) else [f"{path}: {json.dumps(a)[:60]} and {json.dumps(b)[:60]}"]
@@ -46,7 +46,7 @@ def rowsWithoutSeconds(path):
 
 
 def checkpointDiffers(a, b):
-    """Numbers of a checkpoint but for the seconds of its load steps, the last of each row, and the checksum over them."""
+    """Numbers of a checkpoint except the seconds of its load steps (last in each row) and the checksum."""
     def content(path):
         found = {}
         with h5py.File(path) as file:
@@ -61,7 +61,7 @@ def checkpointDiffers(a, b):
 
 
 def differences(a, b):
-    """What differs between the files of two runs."""
+    """Differences between the files of two runs."""
     names = {path.name for folder in (a, b) for path in folder.iterdir()}
     found = []
     for name in sorted(names):
@@ -79,7 +79,7 @@ def differences(a, b):
 
 
 def run(scene, ranks, folder, **environment):
-    """Both runs have the same words, in folders of their own: the files keep the command line."""
+    """Both runs have the same command line, in separate folders, because the files record it."""
     folder.mkdir(parents=True)
     os.environ.update(environment)
     here = os.getcwd()
@@ -109,11 +109,11 @@ for name, all_ranks in {name: (1, 2, 4) for name in scenesOf(scenes)}.items() if
         code, text = harness.run(options.solve, now, "--again", work / f"np{then}_first" / "out", "--output", again)
         check(f"{name} on {now} agrees with {then}", (code, "agrees: all" in text), (0, True))
         print("        " + text.strip().splitlines()[-1], flush=True)
-    # The test sees a bit: one of the last digits of the displacements.
+    # The test detects one changed bit in the last digit of a displacement.
     if not options.all and name == "tunnel/tunnel_metis":
         fields = work / "np1_second" / "out" / "fields_0000.vtkhdf"
         with h5py.File(fields, "r+") as file:
             values = file["/VTKHDF/PointData/Displacement"]
             values[7, 0] = values[7, 0] * (1 + 2.3e-16)
-        check("a bit that differs is seen", differences(work / "np1_first" / "out", work / "np1_second" / "out"), ["fields_0000.vtkhdf"])
+        check("a changed bit is found", differences(work / "np1_first" / "out", work / "np1_second" / "out"), ["fields_0000.vtkhdf"])
 finish()

@@ -1,4 +1,4 @@
-"""A run that is stopped leaves a checkpoint from which another number of ranks, with another partition, goes on.
+"""A stopped run leaves a checkpoint from which another number of ranks, with another partition, continues.
 
 restart.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
@@ -29,10 +29,10 @@ def run(ranks, scene, name, *words):
 
 whole = run(2, OPEN, "whole")[2]
 
-# Not converged after two iterations: exit code 4 and a checkpoint, from which one rank with METIS goes on.
+# Not converged after two iterations: exit code 4 and a checkpoint, from which one rank with METIS continues.
 code, _, cut = run(2, OPEN, "cut", *setting("Outer Solver/Maximum Iterations", 2))
 check("exit code of a run that did not converge", code, 4)
-check("its summary says so", cut["converged"], False)
+check("its summary reports it", cut["converged"], False)
 code, _, rest = run(1, OPEN, "rest", "--restart", str(work / "cut" / "checkpoint.h5"), *setting("Partition/Type", "METIS"))
 check("exit code of the restarted run", code, 0)
 check("it needs fewer steps", rest["outer"]["iterations"], lambda n: n < whole["outer"]["iterations"])
@@ -41,7 +41,7 @@ check("closed pairs", rest["contact"]["active"], whole["contact"]["active"])
 check("energy", rest["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-9)
 check("largest displacement", rest["max_displacement"] / whole["max_displacement"] - 1, lambda e: abs(e) < 1e-6)
 
-# From an earlier load step, in both formulations: a tenth more load moves the contact line little.
+# Start from an earlier load step, in both formulations: 10 % more load changes the contact only slightly.
 for name, method in (("groups", []), ("interface", setting("Formulation", "Contact On The Interface") + setting("Outer Solver/Type", "Active Set")
                                       + setting("Preconditioner/Type", "BDDC"))):
     method = method + setting("Outer Solver/Tolerance", "1e-10")
@@ -50,10 +50,10 @@ for name, method in (("groups", []), ("interface", setting("Formulation", "Conta
     more = method + setting("Boundary Conditions/overburden/Value", "0.55e7")
     code, _, cold = run(2, OPEN, name + "_cold", *more)
     check(name + ": second load step at once", (code, cold["converged"]), (0, True))
-    check(name + ": leaves no checkpoint unasked", (work / (name + "_cold") / "checkpoint.h5").exists(), False)
+    check(name + ": writes no checkpoint unless requested", (work / (name + "_cold") / "checkpoint.h5").exists(), False)
     code, _, warm = run(4, OPEN, name + "_warm", *more, "--restart", str(work / (name + "_step_1") / "checkpoint.h5"))
     check(name + ": second load step from the first", (code, warm["converged"]), (0, True))
-    # Newton's steps may be as many: those that change no pair go on with one linear solve.
+    # The number of Newton steps may be equal: steps that change no pair cost one linear solve.
     pcg = [case["auxiliary"]["iterations"] + case["outer"]["pcg_total"] for case in (warm, cold)]
     check(name + ": it needs fewer iterations", pcg[0], lambda n: n < pcg[1])
     check(name + ": closed pairs", warm["contact"]["active"], cold["contact"]["active"])
@@ -74,7 +74,7 @@ code, _, rest = run(4, OPEN, "resumed", "--restart", str(work / "stopped" / "che
 check("exit code of its restart", code, 0)
 check("closed pairs of its restart", rest["contact"]["active"], whole["contact"]["active"])
 
-# Files that are no checkpoint of this mesh.
+# Files that are not checkpoints of this mesh.
 code, text, _ = run(2, OTHER, "foreign", "--restart", str(work / "cut" / "checkpoint.h5"))
 check("exit code for the checkpoint of another mesh", code, 3)
 check("message for it", "another mesh" in text, True)

@@ -1,5 +1,5 @@
-"""Ends and beginnings of runs in space: the iteration limit and SIGUSR1 leave checkpoints from which other ranks with other subdomains go on;
-load steps; nested start.
+"""Stops and restarts of 3D runs: the iteration limit and SIGUSR1 leave checkpoints from which another number of ranks with other subdomains
+continues; load steps; nested start.
 
 restart_in_space.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
@@ -46,15 +46,15 @@ check("exit code of its restart on one rank with other subdomains", (code, found
 check("it needs few steps", found["outer"]["iterations"], lambda n: n <= 4)
 is_reference("restart", found)
 
-# Coarser meshes first, which need not match.
+# Coarser meshes first; these need not match.
 levels = ", ".join("; ".join(cells(*size)) for size in ((6, 3), (10, 5)))
 code, text, nested = run(2, "nested", *setting("Outer Solver/Start", "Nested"), *setting("Outer Solver/Nested/Levels", f"{{{levels}}}"))
 check("exit code of a nested start", (code, text.count("nested start: ")), (0, 2))
 check("its levels", ["216 elements" in text, "1000 elements" in text], [True, True])
 is_reference("nested start", nested)
-check("it needs few steps", nested["outer"]["iterations"], lambda n: n <= 5)  # 6 from the usual start
+check("it needs few steps", nested["outer"]["iterations"], lambda n: n <= 5)  # 6 from the default start
 
-# A load step from the one before.
+# A load step started from the previous one.
 SMALL = [word for one in cells(10, 5) for word in ("--set", one)] + setting("Outer Solver/Tolerance", "1e-10")
 MORE = setting("Boundary Conditions/press/Value", "{0, 0, -0.005}")
 check("exit code of a first load step", run(2, "step_1", *SMALL, *setting("Output/Checkpoint", "true"))[0], 0)
@@ -63,7 +63,7 @@ check("second load step: iterations", warm["outer"]["pcg_total"], lambda n: n < 
 check("second load step: closed pairs", warm["contact"]["active"], cold["contact"]["active"])
 check("second load step: energy", warm["energy"] / cold["energy"] - 1, lambda e: abs(e) < 1e-9)
 
-# SIGUSR1 to a run that goes on until it is told to stop; both formulations go on from its checkpoint.
+# SIGUSR1 to a run that continues until a stop request; both formulations continue from its checkpoint.
 BLOCKS = [word for one in cells(8, 6) for word in ("--set", one)] + setting("Partition/METIS/Subdomains", 16)
 GROUPS = setting("Formulation", "Condensed Groups") + setting("Preconditioner/Type", "Neumann-Neumann")
 ENDLESS = GROUPS + setting("Outer Solver/Type", "Chord") + setting("Outer Solver/Maximum Iterations", 100000) + setting("Outer Solver/Tolerance", "1e-17")

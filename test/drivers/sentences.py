@@ -1,5 +1,5 @@
-"""Faults in the sentences that programs print, of kinds that come about where a sentence is put together from parts. The harness reads by it all that
-the programs print in any test; `sentences.py SOURCE` reads all literals of the sources, and so the parts of every branch of every message."""
+"""Finds faults in printed sentences that typically arise when a message is composed from parts. The harness checks all program output in the tests;
+`sentences.py SOURCE` checks all string literals of the sources, and thus the parts of every branch of every message."""
 import pathlib
 import re
 import sys
@@ -16,12 +16,12 @@ KINDS = [(re.compile(pattern), what) for pattern, what in (
     (r"[-+ ](inf|nan) ?%", "a share that is no number"),
     (r"%(\.\d+)?[sdgefu]\b", "a format that was not filled in"),
 )]
-# Right as they stand.
+# Correct as they are.
 RIGHT = re.compile(r"\bof at (least|most)\b|\bgo(es)? on\b")
 
 
 def faults(text):
-    """What is wrong with an output, a sentence for each; warnings that stand twice in it, too."""
+    """Faults of an output, one sentence for each, including repeated warnings."""
     found = []
     lines = text.splitlines()
     for line in lines:
@@ -33,7 +33,7 @@ def faults(text):
 
 
 def literals(source):
-    """The literals of a C++ file that are prose, those that the compiler joins as one."""
+    """Prose literals of a C++ file; literals that the compiler concatenates count as one."""
     source = re.sub(r'R"(\w*)\(.*?\)\1"', '""', source, flags=re.S)
     source = re.sub(r'("(?:[^"\\\n]|\\.)*")|//[^\n]*|/\*.*?\*/', lambda match: match.group(1) or " ", source, flags=re.S)
     source = re.sub(r"#include[^\n]*", "", source)

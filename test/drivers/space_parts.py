@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Parts of the pictures of runs in space against numbers from geometry: outside, edges, projection, rasteriser, cuts, contact surfaces.
+"""Components of the 3D pictures against geometry: outer surface, edges, projection, rasteriser, cuts, contact surfaces.
 
     space_parts.py --plot suture_plot --work DIR --mpirun "..."
 """
@@ -26,7 +26,7 @@ from suture_plot_parts.space.view import DEFAULT, view_from  # noqa: E402
 
 SIZES = np.array([4.0, 3.0, 2.0])
 DIVISIONS = (2, 3, 4)
-SQUARES = 2 * (2 * 3 + 3 * 4 + 2 * 4)  # sides of small boxes on the outside of the box
+SQUARES = 2 * (2 * 3 + 3 * 4 + 2 * 4)  # faces of small boxes on the outer surface of the box
 OUTSIDE = {12: SQUARES, 25: SQUARES, 29: SQUARES, 14: SQUARES, 10: 2 * SQUARES, 24: 2 * SQUARES, 13: SQUARES + 2 * 2 * 3}
 close = 1e-9
 
@@ -54,7 +54,7 @@ def areas(points, triangles):
 
 
 def volume(points, triangles):
-    """By the divergence theorem: positive, if the triangles are seen from outside anticlockwise."""
+    """Volume by the divergence theorem: positive if the triangles are anticlockwise seen from outside."""
     return np.einsum("ij,ij->", areas(points, triangles), points[triangles].mean(axis=1)) / 3
 
 
@@ -82,7 +82,7 @@ def outside():
         check(f"cells {kind}: on which one looks once", np.maximum(areas(points, surface.triangles) @ view.toward, 0).sum(),
               near(0.5 * np.cross(outline, np.roll(outline, -1, axis=0)).sum()))
     two = run_of("two", brick(12, (0, 0, 0), (1, 1, 1), (2, 2, 2)), brick(12, (0, 0, 1), (1, 1, 2), (2, 2, 2)))
-    check("bodies with nodes of their own: both sides are outside", Surface(two.fields).faces, 2 * 6 * 4)
+    check("bodies without common nodes: both sides are on the surface", Surface(two.fields).faces, 2 * 6 * 4)
     for kind, slack in ((25, 5e-3), (29, 5e-3), (24, 1e-2)):
         run = run_of(f"ball_{kind}", brick(kind, (-1, -1, -1), (1, 1, 1), (8, 8, 8)).moved(ball))
         surface = Surface(run.fields)
@@ -117,7 +117,7 @@ def projection():
 
 
 def patch(rng, n):
-    """A square of triangles with nodes moved at random."""
+    """A triangulated square with randomly moved nodes."""
     points, cells = space_scenes.lattice(np.linspace(0, 1, n), np.linspace(0, 1, n), lambda a, b: np.column_stack([a, b]))
     inner = (points > 0).all(axis=1) & (points < 1).all(axis=1)
     points[inner] += rng.uniform(-0.3, 0.3, (inner.sum(), 2)) / n
@@ -137,7 +137,7 @@ def rasteriser():
     corners = points[triangles[raster.shown]]
     inside = np.stack([np.cross(corners[:, (k + 1) % 3] - corners[:, k], places - corners[:, k]) for k in range(3)])
     check("each sample is in its triangle", inside.min(), lambda found: found > -1e-12)
-    # Two squares that pass through one another: the nearer is seen, whichever is drawn first.
+    # Two intersecting squares: the nearer one is visible, independent of the drawing order.
     square, two = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]]), np.array([[0, 1, 2], [0, 2, 3]])
     for flipped in (False, True):
         raster = Raster((0, 0), (1, 1), (100, 100))
@@ -151,8 +151,8 @@ def rasteriser():
     check("nearness at the middles of samples", raster.near.reshape(-1) - raster.places() @ [2.0, 3.0], near(0.0, 1e-6))
     raster = Raster((0, 0), (1, 1), (50, 50))
     raster.draw(square, np.zeros(4), two[:, ::-1])
-    check("what turns away is not seen", len(raster.samples), 0)
-    # A segment that runs behind a square with sides of 0.5, and one before it.
+    check("faces that point away are not seen", len(raster.samples), 0)
+    # A segment behind a square with sides of 0.5, and one in front of it.
     raster = Raster((-1, -1), (1, 1), (400, 400))
     raster.draw(0.5 * square - 0.25, np.zeros(4), two)
     for depth, length in ((-0.5, 1.5), (0.5, 2.0)):
@@ -176,12 +176,12 @@ def cuts():
     for kind in OUTSIDE:
         run = run_of(f"cut_{kind}", brick(kind, (0, 0, 0), SIZES, DIVISIONS), ranks=2)
         grid = run.fields
-        for axis, value in ((0, 1.3), (0, 2.0), (1, 0.0), (2, 2.0), (2, 1.0)):  # between nodes, on nodes, on the outside
+        for axis, value in ((0, 1.3), (0, 2.0), (1, 0.0), (2, 2.0), (2, 1.0)):  # between nodes, on nodes, on the boundary
             cut = Cut(grid, Plane(axis, value), {"linear": linear(grid.points)})
             flat = cut.corners.reshape(-1, 3)
             own = 0.5 * np.cross(cut.flat[:, 1] - cut.flat[:, 0], cut.flat[:, 2] - cut.flat[:, 0])
             name = f"cells {kind}, {'xyz'[axis]} = {value}"
-            check(f"{name}: in the plane", flat[:, axis], near(value, 1e-6))
+            check(f"{name}: on the plane", flat[:, axis], near(value, 1e-6))
             check(f"{name}: area, anticlockwise", own.sum(), near(np.prod(SIZES) / SIZES[axis], 1e-5))
             check(f"{name}: none turns clockwise", own.min(), lambda found: found >= -1e-15)
             check(f"{name}: a linear field", cut.values["linear"].reshape(-1) - linear(flat), near(0.0))
@@ -201,7 +201,7 @@ def contacts():
     plane = chosen_plane(run, None)
     largest = run.contact.points[np.argmax(run.contact.point_data["ContactPressure"])]
     check("the plane passes through the largest pressure", (plane.axis, plane.value), (0, largest[0]))
-    check("the plane that is asked for", vars(chosen_plane(run, (2, 7.5)))["value"], 7.5)
+    check("the requested plane", vars(chosen_plane(run, (2, 7.5)))["value"], 7.5)
     flat = Chart(contact_surfaces(run)[0])
     lengths = np.ptp(flat.flat.reshape(-1, 2), axis=0).round(9).tolist()
     check("a horizontal contact is seen from above", (flat.names, lengths), (("x", "y"), [10.0, 10.0]))
@@ -226,7 +226,7 @@ def contacts():
 
 
 def centres():
-    """Values in the middle are those of functions that the shape can represent."""
+    """Values at midpoints are exact for functions that the shape can represent."""
     for kind, shape in CELLS.items():
         body, second = brick(kind, (0, 0, 0), (1, 1, 1), (1, 1, 1)), kind in (24, 25, 29)
         nodes = body.points[body.cells]

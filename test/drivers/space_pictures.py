@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""suture_plot on runs in space, without a display: all pages with legible labels, the largest values that they tell, and clear errors.
+"""suture_plot on 3D runs, without a display: all pages with legible labels, the largest values that they report, and clear errors.
 
     space_pictures.py --plot suture_plot --work DIR --mpirun "..."
 """
@@ -31,12 +31,12 @@ NAMES = ["scene", "mesh", "deformation", "von_mises", "von_mises_cut", "principa
 
 
 def words(figure):
-    """All texts of a figure, of legends and colour bars, too."""
+    """All texts of a figure, including legends and colour bars."""
     return " | ".join(text.get_text().replace("\n", " ") for text in figure.findobj(matplotlib.text.Text) if text.get_text())
 
 
-def told(text, before):
-    """The number behind some words."""
+def reported(text, before):
+    """The number after the given words."""
     found = re.search(re.escape(before) + r" ([-\u2212]?[0-9.e+-]+)", text)
     return float(found.group(1).replace("\u2212", "-")) if found else None
 
@@ -50,7 +50,7 @@ def drawn(name, folder, pages, **more):
     said = {}
     for page in pictures(RunFolder(folder), **more):
         for image in page.figure.findobj(AxesImage):
-            image.set_visible(False)  # most of the time of a page
+            image.set_visible(False)  # drawing them takes most of the time of a page
         check(f"{name}, {page.name}: labels", faults(page.figure), [])
         if page.name.startswith(("scene", "contact")):
             # The column of a narrow contact surface is wide enough for its title.
@@ -67,34 +67,34 @@ def blocks():
     run = RunFolder(folder)
     said = drawn("blocks", folder, NAMES)
     mises, principal = run.fields.point_data["NodalVonMises"], run.fields.point_data["NodalPrincipalStress"]
-    check("blocks: largest von Mises stress", told(said["von_mises"], "largest von Mises"), agrees(mises.max()))
-    # From (1, -1.4, 0.9) one sees x = 10, y = 0 and z = 10.
+    check("blocks: largest von Mises stress", reported(said["von_mises"], "largest von Mises"), agrees(mises.max()))
+    # x = 10, y = 0 and z = 10 are visible from (1, -1.4, 0.9).
     seen = (run.fields.points == [10, 0, 10]).any(axis=1)
-    check("blocks: largest von Mises stress on the sides that are seen", told(said["von_mises"], "largest visible"), agrees(mises[seen].max()))
-    check("blocks: it is inside, and so it is said", "hidden, or inside" in said["von_mises"], True)
-    check("blocks: largest tension", told(said["principal_stress"], "largest tension"), agrees(principal.max()))
-    check("blocks: largest compression", told(said["principal_stress"], "largest compression"), agrees(principal.min()))
-    check("blocks: largest displacement", told(said["deformation"], "largest"),
+    check("blocks: largest von Mises stress on the sides that are seen", reported(said["von_mises"], "largest visible"), agrees(mises[seen].max()))
+    check("blocks: the page reports that it is hidden", "hidden, or inside" in said["von_mises"], True)
+    check("blocks: largest tension", reported(said["principal_stress"], "largest tension"), agrees(principal.max()))
+    check("blocks: largest compression", reported(said["principal_stress"], "largest compression"), agrees(principal.min()))
+    check("blocks: largest displacement", reported(said["deformation"], "largest"),
           agrees(np.linalg.norm(run.fields.point_data["Displacement"], axis=1).max()))
-    # The default plane passes through nodes, in which the largest stress lies.
+    # The default plane passes through nodes, where its largest stress occurs.
     at = run.contact.points[np.argmax(run.contact.point_data["ContactPressure"]), 0]
-    check("blocks: largest in the plane", told(said["von_mises_cut"], "mm, largest"), agrees(mises[run.fields.points[:, 0] == at].max()))
-    check("blocks: contact lines in the plane", all(name in said["von_mises_cut"] for name in ("contact, open", "contact, closed")), True)
+    check("blocks: largest on the cut", reported(said["von_mises_cut"], "mm, largest"), agrees(mises[run.fields.points[:, 0] == at].max()))
+    check("blocks: contact lines on the cut", all(name in said["von_mises_cut"] for name in ("contact, open", "contact, closed")), True)
     contact = run.contact.point_data
-    check("blocks: largest pressure", told(said["contact"], "pressure, largest"), agrees(contact["ContactPressure"].max()))
-    check("blocks: largest gap", told(said["contact"], "gap, largest"), agrees(contact["Gap"].max()))
+    check("blocks: largest pressure", reported(said["contact"], "pressure, largest"), agrees(contact["ContactPressure"].max()))
+    check("blocks: largest gap", reported(said["contact"], "gap, largest"), agrees(contact["Gap"].max()))
     check("blocks: open pairs", f"{np.count_nonzero(contact['Active'] == 0)} of {len(contact['Active'])} pairs open" in said["contact"],
           True)
     given = run.summary["parameters"]
     expected = [*given["Contact"], *given["Bodies"], *(name for name in given["Boundary Conditions"] if name != "weight")]
     check("blocks: conditions, contacts and bodies are named", [name for name in expected if f"| {name} |" not in f"| {said['scene']} |"],
           [])
-    check("blocks: what has no place is told", "(not drawn)" in said["scene"], True)
+    check("blocks: conditions without a place are reported", "(not drawn)" in said["scene"], True)
     expected = [f"{body}_{s}" for body in ("lower", "upper") for s in (0, 1, 3)]
     check("blocks: subdomains are named", [name for name in expected if name not in said["mesh"]], [])
     said = drawn("blocks from behind", folder, NAMES, view=(-1.0, 0.2, -0.4), cut=(2, 2.5))
-    check("another view is told", "seen from (\u22121, 0.2, \u22120.4)" in said["mesh"], True)
-    check("another plane: largest in it", told(said["von_mises_cut"], "mm, largest"), agrees(mises[run.fields.points[:, 2] == 2.5].max()))
+    check("another view is reported", "seen from (\u22121, 0.2, \u22120.4)" in said["mesh"], True)
+    check("another plane: largest in it", reported(said["von_mises_cut"], "mm, largest"), agrees(mises[run.fields.points[:, 2] == 2.5].max()))
     check("another plane: without contact lines", "contact, " in said["von_mises_cut"], False)
 
 
@@ -106,13 +106,13 @@ def others():
     space_scenes.pin_in_eye(folder, around=8)
     said = drawn("pin", folder, [*NAMES, "contact_2"])
     run = RunFolder(folder)
-    check("pin: stresses of the cells only", told(said["von_mises"], "largest von Mises"), agrees(run.fields.cell_data["VonMises"].max()))
+    check("pin: stresses of the cells only", reported(said["von_mises"], "largest von Mises"), agrees(run.fields.cell_data["VonMises"].max()))
     _, zero, after = said["contact_2"].partition("gap, none")
-    check("pin: no bar for what is zero", (bool(zero), "gap [mm]" in after), (True, False))
+    check("pin: no colour bar for a zero gap", (bool(zero), "gap [mm]" in after), (True, False))
 
 
 def alone():
-    """One body without contact, displacement and stress, and one that is long and thin."""
+    """One body without contact, displacement and stress, and one long thin body."""
     folder = options.work / "alone"
     zero = lambda n: lambda p: np.zeros((len(p), n))  # noqa: E731
     body = space_scenes.brick(10, (0, 0, 0), (1, 1, 1), (1, 1, 1))

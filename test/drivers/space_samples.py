@@ -1,4 +1,4 @@
-"""Folders of runs in space, with fields that are formulas: the same files as suture_solve writes, without its work.
+"""Writes folders of 3D runs with fields given by formulas: the same files as suture_solve writes, without solving.
 
     body = brick(12, low=(0, 0, 0), high=(1, 1, 0.5), divisions=(4, 4, 2))
     write_run(folder, [Part("lower", body, subdomain=0), ...], displacement, stress, contacts)
@@ -15,13 +15,13 @@ UNITS = ("mm", "N", "MPa")
 
 @dataclass
 class Body:
-    """Cells of one kind: `points`, and rows of nodes `cells` in the order of the files."""
+    """Cells of one kind: `points`, and nodes per cell `cells` in the order of the files."""
     kind: int
     points: np.ndarray
     cells: np.ndarray
 
     def moved(self, function):
-        """The same cells at other places; the middles of sides move with them."""
+        """The same cells at other places; mid-side nodes move with them."""
         return Body(self.kind, function(self.points), self.cells)
 
 
@@ -32,7 +32,7 @@ CENTRES = [(0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1,
 
 
 def tetrahedra():
-    """Kuhn's six tetrahedra of a cube, vertices and middles of edges."""
+    """Kuhn's six tetrahedra of a cube, vertices and edge midpoints."""
     for order in itertools.permutations(range(3)):
         corners = [np.zeros(3, dtype=int)]
         for axis in order:
@@ -44,14 +44,14 @@ def tetrahedra():
 
 
 def cells_of_cube(kind):
-    """Places of the nodes of the cells in one cube of the lattice, 0 to 2 along each axis."""
+    """Node positions of the cells in one cube of the lattice, 0 to 2 along each axis."""
     if kind in (10, 24):
         return [nodes[:4 if kind == 10 else 10] for nodes in tetrahedra()]
     if kind == 13:
         return [[(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2)],
                 [(0, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 2, 2), (0, 2, 2)]]
     if kind == 14:
-        sides = [(0, 3, 7, 4), (1, 5, 6, 2), (0, 4, 5, 1), (3, 2, 6, 7), (0, 1, 2, 3), (4, 7, 6, 5)]  # seen from the centre anticlockwise
+        sides = [(0, 3, 7, 4), (1, 5, 6, 2), (0, 4, 5, 1), (3, 2, 6, 7), (0, 1, 2, 3), (4, 7, 6, 5)]  # anticlockwise seen from the centre
         return [[CORNERS[i] for i in side] + [(1, 1, 1)] for side in sides]
     return [{12: CORNERS, 25: CORNERS + MIDDLES, 29: CORNERS + MIDDLES + CENTRES}[kind]]
 
@@ -70,7 +70,7 @@ def brick(kind, low, high, divisions):
 
 
 def sides(body, faces, where):
-    """Rows of a side group: the first two vertices of each face on which `where` holds at all vertices. `faces`: those of a cell."""
+    """Rows of a side group: the first two vertices of each face where `where` holds at all vertices. `faces`: faces of a cell."""
     rows = []
     for face in faces:
         corners = body.points[body.cells[:, face[:4 if len(face) in (4, 8, 9) else 3]]]
@@ -88,12 +88,12 @@ def ball(points):
 class Part:
     name: str
     body: Body
-    subdomains: object = None  # function of the centres of the cells: numbers from 0
+    subdomains: object = None  # function of the cell centres: numbers from 0
 
 
 @dataclass
 class Surface:
-    """Contact surface: points, cells of three or four of them, and values at the points."""
+    """Contact surface: points, cells of three or four points, and values at the points."""
     name: str
     points: np.ndarray
     cells: np.ndarray
@@ -104,7 +104,7 @@ class Surface:
 
 
 def grid_file(path, points, blocks, point_data, cell_data, record):
-    """A file of the format VTKHDF with one partition a member of the lists. `blocks`: [(kind, cells)] of each."""
+    """A VTKHDF file with one partition per list entry. `blocks`: [(kind, cells)] of each."""
     with h5py.File(path, "w") as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = np.array([1, 0])
@@ -138,7 +138,7 @@ def von_mises(s):
 
 
 def principal(s):
-    """Largest first; NaN where a component is."""
+    """Largest first; NaN if a component is NaN."""
     tensor = np.nan_to_num(s)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]].reshape(-1, 3, 3)
     return np.where(np.isnan(s).any(axis=1)[:, None], np.nan, np.linalg.eigvalsh(tensor)[:, ::-1])
 

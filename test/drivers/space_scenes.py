@@ -1,4 +1,4 @@
-"""Runs in space for the tests of pictures: two blocks, a ball on a block, a pin in an eye. Fields are formulas, not solutions."""
+"""3D runs for the picture tests: two blocks, a ball on a block, a pin in an eye. Fields are formulas, not solutions."""
 import numpy as np
 
 from space_samples import Body, Part, Surface, ball, brick, sides, write_run
@@ -11,14 +11,14 @@ def bump(points, centre, width):
 
 
 def lattice(u, v, place):
-    """(points, quadrilaterals) of a grid; `place`: points of both coordinates."""
+    """(points, quadrilaterals) of a grid; `place` maps both coordinates to points."""
     a, b = np.meshgrid(u, v, indexing="ij")
     i = np.arange(a.size).reshape(a.shape)
     return place(a.ravel(), b.ravel()), np.stack([i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]], axis=-1).reshape(-1, 4)
 
 
 def blocks(folder, faces, n=8, **more):
-    """Two blocks of hexahedra, one on the other, of eight subdomains on two ranks. `faces`: those of a hexahedron."""
+    """Two stacked blocks of hexahedra with eight subdomains on two ranks. `faces`: faces of a hexahedron."""
     lower, upper = brick(12, (0, 0, 0), (10, 10, 5), (n, n, n // 2)), brick(12, (0, 0, 5), (10, 10, 10), (n, n, n // 2))
     centre, place = np.array([4.5, 5.5, 5.0]), np.linspace(0, 10, n + 1)
 
@@ -52,9 +52,9 @@ def blocks(folder, faces, n=8, **more):
 
 
 def ball_on_block(folder, faces, triangles, n=4, **more):
-    """A curved ball of tetrahedra of second order on a block of hexahedra of 20 nodes.
+    """A curved ball of second-order tetrahedra on a block of 20-node hexahedra.
 
-    `faces`: those of the tetrahedron, `triangles`: in each of them.
+    `faces`: faces of the tetrahedron, `triangles`: triangles of each face.
     """
     radius = 8.0
     sphere = brick(24, (-1, -1, -1), (1, 1, 1), (n, n, n)).moved(lambda p: radius * ball(p) + [0, 0, radius])
@@ -93,9 +93,9 @@ def ring(kind, inner, outer, low, high, divisions):
 
 
 def pin_in_eye(folder, around=24, **more):
-    """An eye of hexahedra of 27 nodes round a pin of wedges, with stresses of the cells only.
+    """An eye of 27-node hexahedra around a pin of wedges, with cell stresses only.
 
-    Contacts all round, in an inclined plane and in x = 0, that without a gap.
+    Contacts around the pin, on an inclined plane, and at x = 0 (without a gap).
     """
     eye, pin = ring(29, 5, 10, 0, 6, (2, around, 2)), ring(13, 1.5, 5, -4, 10, (2, around, 5))
     angle = np.arange(2 * around + 1) * np.pi / around

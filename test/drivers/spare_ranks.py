@@ -1,9 +1,8 @@
-"""More ranks than subdomains: each body is one subdomain, and there is a rank more than bodies. The same exit code, energy and contact forces as on
-one rank.
+"""More ranks than subdomains: one subdomain per body, and one more rank than bodies. Exit code, energy and contact forces equal those on one rank.
 
 spare_ranks.py --solve PROGRAM --work DIR --mpirun "mpirun ..." --input FOLDER [--all]
 
-Few: scenes that take about a second. All: each scene beside its expected.json with up to ten bodies.
+Default: scenes that take about a second. --all: every scene with an expected.json and at most ten bodies.
 """
 import argparse
 import glob

@@ -1,5 +1,5 @@
-"""Programs whose standard output is closed, or takes nothing: a result that could not be printed is an error, told once; a closed output is one
-that nobody wants. standard_output.py --solve PROGRAM --new ... --mpirun "mpirun ..." --work DIR --input FOLDER"""
+"""Programs whose standard output is closed or full: a result that could not be printed is an error, reported once; a closed output is
+intentional and not an error. standard_output.py --solve PROGRAM --new ... --mpirun "mpirun ..." --work DIR --input FOLDER"""
 import json
 import pathlib
 import subprocess
@@ -51,15 +51,15 @@ for name, words in CASES.items():
     code, text, seconds = redirected(">&-", 1, *words)
     check(f"{name}, closed: exit code", (code, text), (0, ""))
 check("the results are there all the same", json.loads((options.work / "out" / "summary.json").read_text())["verified"], True)
-# All three streams closed: no file of the run may take the place of one, and be written into.
+# All three streams closed: no file of the run may get the descriptor of a stream and receive its output.
 code, _, _ = redirected("<&- >&- 2>&-", 1, options.solve, SCENE, "--output", options.work / "none")
 check("all closed: exit code", code, 0)
 files = {path.name: path.read_bytes() for path in (options.work / "none").iterdir() if path.is_file()}
 check("all closed: the console's text is in no file", [name for name, data in files.items() if b"verified:" in data or b"on the interface" in data], [])
 check("all closed: files of a run", {"summary.json", "history.csv", "fields_0000.vtkhdf"} <= set(files), True)
-# An error of the run keeps its own code, and its message is followed by that of the output.
+# An error of the run keeps its exit code; the output error is reported after it.
 code, text, _ = redirected(">/dev/full", 1, options.solve, options.work / "nothing.xml")
-check("an error without any output is told alone", (code, text.count("cannot be")), (3, 1))
+check("an error without any output is reported alone", (code, text.count("cannot be")), (3, 1))
 code, text, _ = redirected(">&-", 2, options.solve, SCENE, "--output", options.work / "two")
 check("closed, two ranks", (code, text), (0, ""))
 finish()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""suture_study as a user runs it: a tiny study on some ranks against suture_solve, and studies that are wrong.
+"""suture_study as a user runs it: a tiny study on several ranks against suture_solve, and invalid studies.
 
 study.py figures|ends|bad|space --ranks N --study PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --source FOLDER
 """
@@ -44,7 +44,7 @@ def edited(name, *edits):
 
 
 def figures(ranks):
-    """The figures of a study are those of suture_solve, on any number of ranks."""
+    """The figures of a study equal those of suture_solve, on any number of ranks."""
     expected = {}
     for size, n, blocks in (("small", 8, 2), ("large", 16, 4)):
         for space in ("None", "Kernels", "Rigid Modes"):
@@ -69,10 +69,10 @@ def figures(ranks):
         check(name + "elements", int(row["elements"]), 2 * n * n)
         check(name + "dofs", int(row["dofs"]), 2 * n * (n + 1))
         check(name + "subdomains", int(row["subdomains"]), blocks**2)
-        # Rigid modes of all subdomains, or of those that the clamped side does not hold.
+        # Rigid-body modes of all subdomains, or of those not held by the clamped side.
         coarse = {"None": 0, "Kernels": 3 * blocks * (blocks - 1), "Rigid Modes": 3 * blocks**2}[row["coarse space"]]
         check(name + "coarse", int(row["coarse"]), coarse)
-        check(name + "dofs a subdomain", float(row["per_subdomain"]), 2 * n * (n + 1) / blocks**2)
+        check(name + "dofs per subdomain", float(row["per_subdomain"]), 2 * n * (n + 1) / blocks**2)
         check(name + "resultant of the traction", float(row["pull"]), lambda f: close(f, math.sqrt(2) * 1e-3, 1e-12))
         check(name + "pcg as suture_solve", int(row["pcg"]), lambda k: abs(k - summary["auxiliary"]["iterations"]) <= 1)
         check(name + "condition as suture_solve", row["condition"], lambda c: close(c, summary["auxiliary"]["condition"], 1e-3))
@@ -86,7 +86,7 @@ FAIL = ["--set", "Outer Solver/Maximum Inner Iterations=10", "--only", "large"]
 
 
 def ends(ranks):
-    """Ends of a study, and effects of its options. Pictures are drawn where runs are refused; they take a second each."""
+    """Outcomes of a study, and effects of its options. Only studies with refused runs draw pictures, which take a second each."""
     text = TINY.read_text()
     plots = text[text.index('  <ParameterList name="Plots">'):text.rindex("</ParameterList>")]
     plain = edited("plain", (plots, ""))
@@ -100,7 +100,7 @@ def ends(ranks):
     check("--only: rows", [(row["size"], row["coarse space"]) for row in table(work / "only")], [("small", "Kernels")])
     check("--quiet: silent", text.strip(), "")
 
-    # --continue takes over what is there, if it is what would be done, and is sound.
+    # --continue reuses existing results that are valid and belong to the same runs.
     folder = work / "continued"
     code, text = run(options.study, ranks, plain, "--output", folder, "--only", "small")
     check("before --continue: exit code", code, 0)
@@ -113,15 +113,15 @@ def ends(ranks):
     code, text = run(options.study, ranks, plain, "--output", folder, "--continue", "--only", "small", "--set", "Outer Solver/Maximum Iterations=49")
     check("--continue, another scene: runs all", text.count("done before"), 0)
 
-    # A program without its script draws nothing and does not mind.
+    # Without its plot script the program draws nothing and does not fail.
     alone = work / "alone"
     alone.mkdir()
     shutil.copy(options.study, alone / "suture_study")
     code, text = run(alone / "suture_study", 1, TINY, "--output", alone / "out", "--only", "small")
     check("without the script: exit code", code, 0)
-    check("without the script: says so", "no plots: " in text, True)
+    check("without the script: reports it", "no plots: " in text, True)
 
-    # Runs that do not converge are rows.
+    # Runs that do not converge have rows in the table.
     code, text = run(options.study, ranks, plain, "--output", work / "failed", *FAIL)
     check("failed runs: exit code", code, 4)
     rows = table(work / "failed")
@@ -130,7 +130,7 @@ def ends(ranks):
     check("failed runs: miss their band", "MISSED   every run converges" in text, True)
 
 
-    # A run that meets a bug, or finds no memory, is a row as well: what was done before is kept and what comes after is run.
+    # So do runs that meet a bug or run out of memory: earlier results are kept and later runs continue.
     plotted = edited("plotted")
     for kind, expected, reason in (("other", 70, "injected fault"), ("memory", 4, "not enough memory")):
         code, text = run("env", ranks, "LD_PRELOAD=" + options.fault, f"SUTURE_TEST_FAULT=solve work 1 1 {kind}", options.study, plotted,
@@ -150,7 +150,7 @@ def ends(ranks):
     check("allowed failures: exit code", code, 0)
     check("allowed failures: rows", [bool(row["failure"]) for row in table(work / "lenient")], [True] * 3)
 
-    # A combination that is refused once its mesh is known is a row, too: 3 x 3 blocks do not divide 16 x 16 cells.
+    # So does a combination refused once its mesh is known: 3 x 3 blocks do not divide 16 x 16 cells.
     refused = edited("refused", ("{{2, 2}, {4, 4}}", "{{2, 2}, {3, 3}}"))
     code, text = run(options.study, ranks, refused, "--output", work / "refused")
     rows = table(work / "refused")
@@ -159,14 +159,14 @@ def ends(ranks):
     check("refused runs: picture", (work / "refused" / "condition.png").exists(), True)
     check("refused runs: the others are solved", [row["pcg"] != "" for row in rows], [True] * 3 + [False] * 3)
 
-    # A band that is missed.
+    # A missed band.
     missed = edited("missed", (plots, ""), ('<Parameter name="At Most" type="double" value="3.5"/>', '<Parameter name="At Most" type="double" value="1.2"/>'))
     code, text = run(options.study, ranks, missed, "--output", work / "missed", "--quiet")
     check("missed band: exit code", code, 4)
     check("missed band: says which", "MISSED   rigid modes are flat: condition: 1.5" in text and "at most 1.2" in text, True)
 
 
-# Studies that are wrong: refused before anything is run, everything at once.
+# Invalid studies are refused before the first run, with all errors listed together.
 CELLS = "Mesh/Boxes/square/Cells"
 BAD = {
     "unknown_path": ([("Neumann-Neumann/Coarse Space", "Neumann-Neumann/Coarse Spice")], [
@@ -232,19 +232,19 @@ def bad(ranks):
 
 
 def space(ranks):
-    """A study in space: element sizes, and the orders of the theory (energy p, displacement p + 1)."""
+    """A 3D study: element sizes, and the theoretical orders (energy p, displacement p + 1)."""
     folder = work / "space"
     code, text = run(options.study, ranks, source / "test" / "drivers" / "study" / "in_space.xml", "--output", folder)
     print(text)
-    check("in space: exit code", code, 0)
-    check("in space: all orders kept", (text.count("kept  "), "MISSED" in text), (4, False))
+    check("3D: exit code", code, 0)
+    check("3D: all orders kept", (text.count("kept  "), "MISSED" in text), (4, False))
     rows = table(folder)
-    check("in space: elements", [int(row["elements"]) for row in rows], [64, 512, 6 * 64, 6 * 512])
+    check("3D: elements", [int(row["elements"]) for row in rows], [64, 512, 6 * 64, 6 * 512])
     for row, count in zip(rows, (64, 512, 384, 3072)):
-        check(f"in space: size of one of {count} elements of a unit cube", row["h"], lambda h: close(h, count ** (-1 / 3), 1e-9))
-    # Nodes below the top and between the four sides; the bottom slides.
-    check("in space: unknowns", [int(row["dofs"]) for row in rows], [3 * (m - 1) ** 2 * m for m in (4, 8, 8, 16)])
-    check("in space: picture", (folder / "errors.png").stat().st_size if (folder / "errors.png").exists() else 0, lambda b: b > 10000)
+        check(f"3D: size of one of {count} elements of a unit cube", row["h"], lambda h: close(h, count ** (-1 / 3), 1e-9))
+    # Free nodes: below the top and between the four sides; the bottom slides.
+    check("3D: unknowns", [int(row["dofs"]) for row in rows], [3 * (m - 1) ** 2 * m for m in (4, 8, 8, 16)])
+    check("3D: picture", (folder / "errors.png").stat().st_size if (folder / "errors.png").exists() else 0, lambda b: b > 10000)
 
 
 {"figures": figures, "ends": ends, "bad": bad, "space": space}[options.part](options.ranks)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""check_run.py fails when it must: it is run on a false suture_solve whose answer is known."""
+"""check_run.py fails when it must: it runs a fake suture_solve with a known result."""
 import glob
 import json
 import os
@@ -84,7 +84,7 @@ with tempfile.TemporaryDirectory() as folder:
         code, text, count = run(name, "--references", references)
         if code != 0 or count != expected:
             wrong.append(f"{name} with shared references: returned {code}, {count} runs instead of {expected}\n{text}")
-    # A run to compare with that failed or was stopped is made again, by every test that wants it.
+    # A reference run that failed or was stopped is repeated by every test that needs it.
     for name in ("against_failing", "against_failing"):
         code, text, count = run(name, "--references", references)
         if code == 0 or count != 2:

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Packages of Debian.
+"""Debian packages.
 
 check_deb.py PREFIX --source ROOT --build DIR --work DIR: makes them by `cpack -G DEB` and prints, and fails for,
-- files of PREFIX, a plain installation, that no package has, or that two have;
-- programs and libraries that are not stripped, or that look for libraries anywhere but beside themselves;
-- fields that a user of apt sees and that are empty, dependencies that are missing.
+- files of PREFIX, a plain installation, that are in no package or in two;
+- programs and libraries that are not stripped, or whose library path is not relative to themselves;
+- empty fields that users of apt see, and missing dependencies.
 """
 import argparse
 import pathlib
@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 FIELDS = ["Package", "Version", "Architecture", "Maintainer", "Section", "Priority", "Description", "Depends", "Installed-Size"]
-# What the programs start, and the libraries that they were linked to.
+# Programs that Suture starts, and linked libraries.
 NEEDS = {"suture": ["openmpi-bin", "python3", "python3-numpy", "python3-h5py", "python3-matplotlib", "libc6", "libgmsh4.8", "libcholmod3", "libtrilinos-tpetra-13.2"],
          "suture-dev": ["suture", "libopenmpi-dev", "libeigen3-dev", "libtrilinos-tpetra-dev", "libtrilinos-intrepid2-dev", "libptscotch-dev", "libmumps-dev"],
          "python3-suture": ["suture", "python3", "python3-numpy", "python3-mpi4py"]}

@@ -2,7 +2,7 @@
 """The installed documents.
 
 check_documents.py PREFIX --source ROOT: prints, and fails for,
-- relative links of installed Markdown files that lead to no file, out of PREFIX, or to a part that no heading has;
+- relative links of installed Markdown files to missing files, out of PREFIX, or to a missing heading;
 - files of the guide, the scenes and the examples in the checkout that are not installed;
 - paths "$SUTURE/..." in commands of the guide that do not exist below PREFIX/share/suture.
 """
@@ -15,7 +15,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "doc"))
 import check_doc  # noqa: E402
 
-# Tools that make documents, not documents.
+# Tools for building the documents.
 NOT_INSTALLED = {"doc/Doxyfile", "doc/parameters.py", "doc/html/render.py", "doc/html/style.css"}
 
 
@@ -31,7 +31,7 @@ def outside(prefix):
 
 
 def missing(prefix, source):
-    """Files of the checkout that a user should find in share/suture."""
+    """Files of the checkout that must be in share/suture."""
     files = subprocess.run(["git", "-C", source, "ls-files", "doc", "input", "drivers/examples"], stdout=subprocess.PIPE, text=True).stdout.split()
     if not files:  # not a checkout
         files = [str(file.relative_to(source)) for file in source.glob("input/*/*.xml")]
@@ -40,12 +40,12 @@ def missing(prefix, source):
 
 
 def commands(prefix):
-    """Paths of the guide's commands below $SUTURE."""
+    """Paths below $SUTURE in the guide's commands."""
     share, problems, paths = prefix / "share" / "suture", [], 0
     for page in sorted((prefix / "share/doc/suture/doc").rglob("*.md")):
         for path in re.findall(r'\$SUTURE/([\w./-]+)', page.read_text()):
             paths += 1
-            if not path.startswith("build/") and not (share / path).exists():  # what a checkout builds is installed elsewhere
+            if not path.startswith("build/") and not (share / path).exists():  # build results are installed elsewhere
                 problems.append(f"{page.relative_to(prefix)}: $SUTURE/{path} does not exist in share/suture")
     return problems if paths > 20 else problems + [f"the installed guide has {paths} paths $SUTURE/..., more were expected"]
 

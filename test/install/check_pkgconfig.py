@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Suture by pkg-config alone, and one version everywhere.
+"""Use of Suture by pkg-config alone, and consistent versions.
 
 check_pkgconfig.py PREFIX --source ROOT --work DIR --compiler "c++ ..." [--libdir lib] [--bindir bin]: compiles test/install/pkgconfig/versions.cpp and the example
 embedding with what `pkg-config --cflags --libs suture` prints, runs both, and compares the versions of CMakeLists.txt, CITATION.cff, headers, library, suture_solve,
@@ -67,7 +67,7 @@ def main():
     if len(set(versions.values())) != 1:
         sys.exit("versions differ:\n" + "\n".join(f"  {version:8} {what}" for what, version in versions.items()))
 
-    # Two blocks, one pressed on the other by a strain of .05: 1e5 Pa everywhere.
+    # Two blocks pressed together, strain .05: 1e5 Pa everywhere.
     printed = compiled(options.prefix / "share/suture/drivers/examples/embedding/TwoBlocks.cpp").strip()
     if printed != "17 pairs, pressures from 100000 to 100000 Pa":
         sys.exit(f"the example embedding prints '{printed}'")

@@ -3,7 +3,7 @@
 
 check_recipes.py ROOT: prints, and fails for,
 - versions of Suture or CMake in a recipe that are not those of CMakeLists.txt;
-- dependencies of cmake/dependencies.cmake, and imports of the Python programs, that a recipe or cmake/bootstrap.sh does not name;
+- dependencies of cmake/dependencies.cmake, and imports of the Python programs, that are missing in a recipe or in cmake/bootstrap.sh;
 - a Python recipe that does not compile, a YAML recipe that cannot be read, Trilinos variants without a library that CMake links.
 """
 import ast
@@ -14,7 +14,7 @@ import sys
 
 import yaml
 
-# What CMake or Python looks for: its names in Spack, conda and Debian.
+# Dependencies of CMake or Python: their names in Spack, conda and Debian.
 NAMES = {
     "MPI": ("mpi", "openmpi", "libopenmpi-dev"),
     "Trilinos": ("trilinos", "trilinos", "libtrilinos-tpetra-dev"),
@@ -38,7 +38,7 @@ NAMES = {
 
 
 def imports(root):
-    """Modules of others that the installed Python programs import."""
+    """Third-party modules imported by the installed Python programs."""
     own = {path.stem for path in root.glob("drivers/*/*")} | {path.stem for path in root.glob("drivers/*/*/*")}
     found = set()
     for file in [path for folder in ("plot", "convert") for path in (root / "drivers" / folder).rglob("*") if path.is_file() and path.suffix in ("", ".py")]:
@@ -103,7 +103,7 @@ def main():
         if component != "Teuchos" and f"+{component.lower()}" not in spack.get("trilinos", ""):
             problems.append(f"packaging/spack/package.py: trilinos without +{component.lower()}")
 
-    # The same words in the Dockerfile as in the guide, and scripts that sh can read.
+    # The Dockerfile has the guide's text, and scripts have valid sh syntax.
     docker = (root / "packaging/docker/Dockerfile").read_text()
     for words in ("FROM debian:bookworm", "cmake/bootstrap.sh build", "cpack -G DEB", "/suture_*.deb"):
         if words not in docker:

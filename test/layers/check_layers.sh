@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_layers.sh ROOT PACKAGE...: reads the sources under ROOT/packages and prints, and fails for, every line that breaks the order of the
-# house: a package that includes one to its right in the list PACKAGE..., or a thing that no library of ours may do. Comments do not count.
+# check_layers.sh ROOT PACKAGE...: reads the sources under ROOT/packages and prints, and fails for, every line that breaks the
+# layering: a package that includes one to its right in the list PACKAGE..., or a call that the library must not make. Comments are ignored.
 root=$1
 shift
 cd "$root" || exit 1

@@ -14,7 +14,7 @@ clean() {
   printf '%s\n' '#include <suture/mesh/B.hpp>' '#include <suture/report/C.hpp>' >"$tree/packages/report/C.cpp"
 }
 
-# expect FILE LINE: with this line in this file the check fails and shows it.
+# expect FILE LINE: with LINE in FILE the check fails and prints LINE.
 expect() {
   clean
   printf '%s\n' "$2" >>"$tree/packages/$1"

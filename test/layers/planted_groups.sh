@@ -1,5 +1,5 @@
 #!/bin/sh
-# planted_groups.sh CHECK FOLDER: the check must pass a right list and fail for each error planted in it.
+# planted_groups.sh CHECK FOLDER: the check must pass a correct list and fail for each error planted in it.
 check=$1
 tree=$2
 failed=0
@@ -8,7 +8,7 @@ mkdir -p "$tree"
 printf '%s\n' 'TEUCHOS_UNIT_TEST(A, IsTrue) {' '}' 'TEUCHOS_UNIT_TEST(Other, IsTrue) {' >"$tree/A.cpp"
 printf '%s\n' 'TEUCHOS_UNIT_TEST(B, IsTrue) {' >"$tree/B.cpp"
 
-# expect CODE WORDS LINES...: the check of these lines ends with CODE and says WORDS.
+# expect CODE WORDS LINES...: the check of LINES exits with CODE and prints WORDS.
 expect() {
   code=$1
   words=$2

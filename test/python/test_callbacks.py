@@ -1,5 +1,5 @@
-"""Functions of the user that fail on some rank, Ctrl-C, and objects that outlive the interpreter's end. On any number of ranks; a child process
-runs alone. Arguments: test_callbacks.py SOURCE"""
+"""User functions that fail on some rank, Ctrl-C, and objects that outlive the interpreter. Runs on any number of ranks; child processes run on
+one. Arguments: test_callbacks.py SOURCE"""
 import os
 import signal
 import subprocess
@@ -37,11 +37,11 @@ def scene(material=None, **settings):
 
 def interrupt():
     os.kill(os.getpid(), signal.SIGINT)
-    for _ in range(1000):  # Python raises KeyboardInterrupt between two of its instructions
+    for _ in range(1000):  # Python raises KeyboardInterrupt between two bytecode instructions
         time.sleep(0.001)
 
 
-# What a function does, and the exception that all ranks get: its class and a part of its text.
+# Fault of a function, and the exception that all ranks get: class and part of the message.
 FAULTS = {"raises": (lambda: 1 / 0, ZeroDivisionError, "division by zero"),
           "raises its own": (lambda: (_ for _ in ()).throw(Unpicklable("mine", 2)), RuntimeError, "Unpicklable: mine"),
           "exits": (lambda: sys.exit(3), SystemExit, "3"),
@@ -52,7 +52,7 @@ FAULTS = {"raises": (lambda: 1 / 0, ZeroDivisionError, "division by zero"),
 
 
 def caught(work):
-    """The exception of `work`, of any kind."""
+    """The exception raised by `work`, of any kind."""
     try:
         work()
     except BaseException as error:
@@ -62,10 +62,10 @@ def caught(work):
 
 class Callbacks(unittest.TestCase):
     def same_everywhere(self, work, kind, text):
-        """All ranks get the same exception, and go on together after it."""
+        """All ranks get the same exception, and can continue together."""
         error = caught(work)
-        told = WORLD.allgather((type(error).__name__, str(error)))
-        self.assertEqual(set(told), {told[0]}, told)
+        errors = WORLD.allgather((type(error).__name__, str(error)))
+        self.assertEqual(set(errors), {errors[0]}, errors)
         self.assertIsInstance(error, kind, error)
         self.assertIn(text, str(error))
         self.assertAlmostEqual(suture.solve(scene()).energy, -0.5e-6, 12)
@@ -180,7 +180,7 @@ class Processes(unittest.TestCase):
         self.assertEqual((process.returncode, process.stderr), (0, ""))
 
     def interrupted(self, text):
-        """What a child says that gets Ctrl-C once it has said "now"."""
+        """Output of a child process that gets Ctrl-C after it has printed "now"."""
         process = child(text)
         self.assertEqual(process.stdout.readline().strip(), "now")
         time.sleep(0.3)

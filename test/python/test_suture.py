@@ -1,5 +1,5 @@
-"""The Python package against the programs, analytic answers, and strategies of the library's own. On any number of ranks; arguments are
-folders and programs (CMakeLists.txt)."""
+"""Compares the Python package with the programs, analytic solutions, and the library's own strategies. Runs on any number of ranks; arguments
+are folders and programs (CMakeLists.txt)."""
 import csv
 import glob
 import json
@@ -15,7 +15,7 @@ from mpi4py import MPI
 import suture
 
 WORLD = MPI.COMM_WORLD
-# MPI has told this process whose rank it is; a program that it starts is none.
+# This process has MPI's rank variables; a program that it starts must not inherit them.
 APART = {name: value for name, value in os.environ.items() if not name.startswith(("PMIX_", "OMPI_COMM", "OMPI_APP", "OMPI_UNIVERSE",
                                                                                     "OMPI_NUM", "OMPI_FIRST", "OMPI_MCA_ess", "OMPI_MCA_orte",
                                                                                     "OMPI_MCA_initial", "OMPI_FILE", "OMPI_ARGV", "OMPI_COMMAND"))}
@@ -23,7 +23,7 @@ SOURCE, SOLVED, PROGRAMS = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 
 
 def blocks(press=-0.1, law=None, **settings):
-    """Two blocks, one pressed on the other: strain press / 2, nothing across."""
+    """Two blocks pressed together: strain press / 2, no transverse strain."""
     side = {"Cells": [8, 8], "Cell": "Quadrilateral4", "Blocks": [2, 2], "X": [-1, 1]}
     return {
         "Title": "Two blocks", "Model": "Plane Strain",
@@ -91,7 +91,7 @@ class Runs(unittest.TestCase):
             pressure, status = result.pairs.pressure, result.pairs.status
             self.assertGreater(pressure.strides[0], pressure.itemsize)
             del result
-            numpy.testing.assert_allclose(pressure, 1e5, rtol=1e-6)  # alive as long as it is looked at
+            numpy.testing.assert_allclose(pressure, 1e5, rtol=1e-6)  # alive as long as a view of it exists
             self.assertEqual(len(status), 9)
 
     def test_displacement_is_not_copied_where_bodies_are_held(self):
@@ -99,7 +99,7 @@ class Runs(unittest.TestCase):
         scene["Boundary Conditions"]["hold"] = {"Group": "upper_top", "Type": "Displacement", "Value": [0, -0.1]}
         scene["Boundary Conditions"].pop("press")
         for subdomain in suture.solve(scene).subdomains:
-            if not subdomain.displacement.flags.writeable:  # beside a rigid motion that was taken out it is a sum
+            if not subdomain.displacement.flags.writeable:  # a removed rigid-body motion makes it a sum
                 self.assertEqual(subdomain.displacement.ctypes.data, subdomain.displacement.ctypes.data)
 
     def test_every_rank_may_solve_a_scene_of_its_own(self):

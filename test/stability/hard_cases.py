@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Hard cases (doc/validation.md) that every formulation must solve, equal to the monolithic reference, or refuse with a reason.
+"""Hard cases (doc/validation.md): every formulation must match the monolithic reference, or refuse the case with a reason.
 
-    hard_cases.py --list                                          the tests: "<variant>.<case> <ranks> [long]" a line
+    hard_cases.py --list                                          the tests: one line "<variant>.<case> <ranks> [long]" each
     hard_cases.py <variant>.<case> --solve ... --work ... [--ranks N] [--mpirun ...]     one of them, by test/drivers/check_run.py
 
-A new formulation or solver is a line of VARIANTS: all cases are then its tests.
+To test a new formulation or solver on all cases, add a line to VARIANTS.
 """
 import json
 import os
@@ -20,7 +20,7 @@ VARIANTS = {
                                          "Preconditioner/Type=Neumann-Neumann"],
     "contact_on_the_interface": ["Formulation=Contact On The Interface", "Outer Solver/Type=Active Set"],
 }
-# Not in the default run: the formulation with its default preconditioner stands for it.
+# Not in the default run, which has the formulation with its default preconditioner.
 LONG = ["condensed_groups_neumann_neumann"]
 
 
@@ -41,7 +41,7 @@ def boxes(name, value):
 
 
 def bricks(*bodies):
-    """Every second brick of these bodies is hard."""
+    """Makes every second brick of these bodies hard."""
     return [f"Bodies/{body}/Regions/bricks/{name}" for body in bodies for name in (f"Group={body}_bricks_odd", "Material=hard")]
 
 
@@ -49,7 +49,7 @@ def metis(subdomains, seed=1):
     return ["Partition/Type=METIS", f"Partition/METIS/Subdomains={subdomains}", f"Partition/METIS/Seed={seed}"]
 
 
-# Message of the Neumann problem of a group whose stiffness has eigenvalues that are zero to rounding: it does not guess.
+# Message of the Neumann problem of a group whose stiffness has eigenvalues at round-off level, whose kernel is therefore uncertain.
 ILL = ["more mechanisms than", "known rigid modes"]
 QUADS = boxes("Cell", "Quadrilateral4")
 HANG = ["Boundary Conditions/wall/Type=Displacement", "Boundary Conditions/wall/Value={0.0, 0.1}"]
@@ -57,7 +57,7 @@ NOISE = [f"Boundary Conditions/noise/{setting}" for setting in ("Type=Random Loa
 
 
 def inSpace():
-    """The cases of lifted_block_3d.xml, as those of cases(); "long": not in the default run."""
+    """Cases of lifted_block_3d.xml, in the form of cases(); "long": not in the default run."""
     def wall(z):
         return ["Boundary Conditions/wall/Type=Displacement", f"Boundary Conditions/wall/Value={{0.0, 0.0, {z}}}"]
 
@@ -88,12 +88,12 @@ def inSpace():
                                    ["Mesh/Boxes/lower/Cells={6, 2, 2}", "Mesh/Boxes/upper/Cells={3, 3, 2}"], "ranks": [1, 2]}
     all["mortar_upper_harder_1e8"] = {"set": mortar + ["Bodies/upper/Material=hard"] + young("hard", "1e8"),
                                       "floor": 4e-6, "displacement": 4e-6, "force": 4e-6}
-    # Cells of aspect ratio 1e3: layers in blocks of ordinary shape, columns, plates.
+    # Cells of aspect ratio 1e3: layers in compact blocks, columns, plates.
     all["slivers"] = {"set": boxes("Cells", "{2, 1, 500}") + boxes("Blocks", "{2, 1, 2}")}
-    # Sheets that bend: their elements do not lock, so that the condition is that of thin sheets, 5e7.
+    # Bending sheets: elements without locking give the condition number of thin sheets, 5e7.
     all["slivers_upright"] = {"set": boxes("X", "{0, 0.012}") + ["Boundary Conditions/press/Value=1.0", "Outer Solver/Maximum Inner Iterations=5000"]}
     flat = boxes("X", "{0, 1000}") + boxes("Y", "{0, 250}")
-    # Plates that bend: rounding of a condition of thin plates.
+    # Bending plates: round-off due to the condition number of thin plates.
     all["slivers_flat"] = {"set": flat + boxes("Blocks", "{3, 1, 1}"), "displacement": 1e-6}
     unreached = {variant: ILL if variant.startswith("condensed") else ["did not reach its tolerance"] for variant in VARIANTS}
     all["slivers_flat_in_layers"] = {"set": flat, "refuses": unreached, "long": True}
@@ -119,9 +119,9 @@ def inSpace():
 
 
 def cases():
-    """name -> settings ("set"), "ranks", the solver's "tolerance", checks of its own; tolerances of the differences "displacement" and
-    "force" (1e-7, 1e-6) and "status" (0) from the reference, or None; "refused": what all say, with exit code 3, or "refuses": {variant:
-    what it says, with exit code 4}."""
+    """name -> settings ("set"), "ranks", the solver's "tolerance", its own checks; tolerances of the differences "displacement" and
+    "force" (1e-7, 1e-6) and "status" (0) from the reference, or None; "refused": message of all variants, with exit code 3, or "refuses":
+    {variant: message, with exit code 4}."""
     all = {"plain": {"set": [], "ranks": [1, 2, 4]}}
     for jump in ("1e4", "1e6", "1e8"):
         own = {
@@ -134,13 +134,13 @@ def cases():
         }
         for name, settings in own.items():
             all[f"{name}_{jump}"] = {"set": settings + young("hard", jump)}
-    # Stiffness times displacement loses as many digits as the jump has, and no residual is smaller than that.
+    # Stiffness times displacement loses as many digits as the jump has, which bounds the residual from below.
     all["bricks_within_subdomains_1e6"]["tolerance"] = all["bricks_metis_1e6"]["tolerance"] = 1e-9
-    # Rounding leaves 1e-10 to 1e-7 of the residual, another number in each step: 1e-10 would be met by chance (once in 47 steps).
+    # Round-off leaves 1e-10 to 1e-7 of the residual, varying per step: 1e-10 would be met only by chance (once in 47 steps).
     all["upper_harder_1e8"]["tolerance"] = 1e-12
     all["bricks_within_subdomains_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}
-    # Accuracy that double precision holds, at any tolerance. In hard bricks within a subdomain no rigid motion can be told from the
-    # deformation.
+    # Accuracy limit of double precision, at any tolerance. In hard bricks within a subdomain, rigid motion and deformation cannot be
+    # distinguished.
     for name, floor in (("upper_harder_1e8", 1e-6), ("bricks_within_subdomains_1e8", 4e-6)):
         all[name].update(floor=floor, displacement=floor, force=floor)
     all["bricks_metis_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}
@@ -149,7 +149,7 @@ def cases():
         all[f"poisson_{ratio}_quadrilaterals"] = {"set": poisson(ratio) + QUADS}
         for cell in ("Quadrilateral4", "Quadrilateral9", "Triangle6"):
             all[f"poisson_{ratio}_mixed_{cell}"] = {"set": poisson(ratio) + each("Element", "Mixed") + boxes("Cell", cell)}
-    # Elements of aspect ratio 1e3: in blocks of ordinary shape, in columns, in strips so slender that they bend without resistance.
+    # Elements of aspect ratio 1e3: in compact blocks, in columns, in strips too slender to resist bending.
     all["slivers"] = {"set": boxes("Cells", "{4, 1000}")}
     all["slivers_upright"] = {"set": boxes("X", "{0, 0.004}") + ["Boundary Conditions/press/Value=0.1", "Boundary Conditions/lift/Value={0, 1e-4}"]}
     all["slivers_flat"] = {"set": boxes("X", "{0, 4000}")}
@@ -171,7 +171,7 @@ def cases():
         "displacement": None, "force": None,  # zero, both
         "checks": [{"key": key, "value": 0.0, "absolute": 1e-14, "source": "no load"}
                    for key in ("max_displacement", "contact.max_pressure")]}
-    # No solution, or more than one: refused by all before anything is solved.
+    # No solution, or more than one: refused by all variants before solving.
     all["pushed_away"] = {"set": ["Boundary Conditions/press/Value=-1e-3"], "refused": ["Bodies/upper: body 'upper' can move up"]}
     all["slides_freely"] = {"set": ["Boundary Conditions/wall/Group=upper_top"], "refused": ["Bodies/upper"]}
     return {**all, **inSpace()}
@@ -188,12 +188,12 @@ def case(variant, name):
         return {**made, "exit_code": 3, "message": own["refused"]}
     if variant in own.get("refuses", {}):
         return {**made, "exit_code": 4, "message": own["refuses"][variant]}
-    # Monolithic asks for no tolerance; its verdict is that of the default one.
+    # Monolithic needs no tolerance; its verdict uses the default.
     made["against"] = [*settings[:settings.index(tolerance) - 1], *settings[settings.index(tolerance) + 1:], "--set", "Outer Solver/Type=Monolithic"]
     made["checks"] = [{"key": "converged", "value": True, "source": SOURCE},
                       {"key": "equilibrium.imbalance", "max": max(1e-8, 20 * own.get("tolerance", 0.0), own.get("floor", 0.0)),
-                       "source": "balance of forces, to the tolerance or the rounding of a jump by 1e6"}]
-    # On the interface hard subdomains keep their fluxes in equilibrium: the residual falls below what rounding leaves in groups.
+                       "source": "balance of forces, to the tolerance or the round-off of a jump by 1e6"}]
+    # On the interface hard subdomains keep their fluxes in equilibrium: the residual falls below the round-off level of groups.
     if "floor" in own and variant != "contact_on_the_interface" and not name.startswith("space_"):
         made["message"] = ["the residual stagnates at round-off"]
     made["checks"] += own.get("checks", [])

@@ -12,7 +12,7 @@ from runfiles import contact, fields, hooke, linearTriangles, rotation, summary
 # --- comparison of two runs: "against" in a case ---
 
 def byNode(folder):
-    """{node of the mesh: u}; ranks repeat the nodes of their seams, with the same u to solver tolerance."""
+    """{node of the mesh: u}; nodes shared by ranks occur on each, with the same u to solver tolerance."""
     f = fields(folder)
     return dict(zip(f.point["NodeId"].tolist(), f.point["Displacement"]))
 
@@ -26,7 +26,7 @@ def difference_displacement(folder, reference):
 
 
 def difference_energy(folder, reference):
-    """Energy norm of u - u_reference over the discretisation error that the reference estimates: 0.2 makes the whole error 2 % larger."""
+    """Energy norm of u - u_reference over the reference's estimated discretisation error: 0.2 increases the total error by 2 %."""
     f, r = fields(folder), byNode(reference)
     difference = f.point["Displacement"] - np.array([r[node] for node in f.point["NodeId"].tolist()])
     area, strain = linearTriangles(f, difference)
@@ -35,7 +35,7 @@ def difference_energy(folder, reference):
 
 
 def difference_effectivity(folder, reference):
-    """Estimated error over the difference of stresses from the nodal means of a reference on a finer mesh, body by body."""
+    """Estimated error over the difference between the stresses and the nodal mean stresses of a reference on a finer mesh, per body."""
     from matplotlib.tri import Triangulation
     f, r = fields(folder), fields(reference)
     area, strain = linearTriangles(f, f.point["Displacement"])
@@ -67,7 +67,7 @@ def difference_effectivity(folder, reference):
 
 
 def difference_pcg(folder, reference):
-    """All PCG iterations over those of the reference."""
+    """Total PCG iterations over those of the reference."""
     a, b = summary(folder), summary(reference)
     return (a["outer"]["pcg_total"] + a["auxiliary"]["iterations"]) / (b["outer"]["pcg_total"] + b["auxiliary"]["iterations"])
 
@@ -91,11 +91,11 @@ def difference_status(folder, reference):
     return len(a.keys() ^ b.keys()) + sum(int(a[k] != b[k]) for k in a.keys() & b.keys())
 
 
-# --- V24: sides that overlap in part, with either side carrying the pressure ---
+# --- V24: partly overlapping sides, with the pressure on either side ---
 
 def overlap_difference(folder, reference, within):
-    """Largest deviation of the pressures at |x| < within from those that the reference, carried by the other side, has at the same places,
-    over these."""
+    """Largest deviation of the pressures at |x| < within from the reference, whose pressure is on the other side, at the same places, over
+    the reference pressures."""
     a, b = contact(folder), contact(reference)
     order = np.argsort(b.points[:, 0])
     use = np.abs(a.points[:, 0]) < within
@@ -112,12 +112,12 @@ def onPin(folder, line):
 
 
 def overlap_differenceOnPin(folder, reference, line, least, begin, end):
-    """The same on a pin about z, begin < z < end, at places where the reference has a pressure above `least`: root mean square of the
-    deviation over that of the pressures."""
+    """The same on a pin about z, begin < z < end, where the reference pressure exceeds `least`: root mean square of the deviation over that
+    of the pressures."""
     from scipy.interpolate import LinearNDInterpolator
     places, pressures = onPin(folder, line)
     others = LinearNDInterpolator(*onPin(reference, line))(places)
-    use = (places[:, 1] > begin) & (places[:, 1] < end) & (others > least)  # none of NaN, beyond the reference's pairs
+    use = (places[:, 1] > begin) & (places[:, 1] < end) & (others > least)  # excludes NaN, beyond the reference's pairs
     return float(np.linalg.norm(pressures[use] - others[use]) / np.linalg.norm(others[use]))
 
 
@@ -127,17 +127,17 @@ def overlap_beyond(folder, _, line, end):
     return float(places[pressures > 0, 1].max() - end)
 
 
-# --- V10: what a change of the scene does to its solution. A point x of the reference is now at length R(angle, axis) x + shift. ---
+# --- V10: effect of transforming the scene. A point x of the reference is now at length R(angle, axis) x + shift. ---
 
 def located(points, length=1, shift=0, **turn):
-    """Places as keys: the points moved back to where the reference has them, rounded to 1e-6 of the scene."""
+    """Points as keys: mapped back to the reference's coordinates and rounded to 1e-6 of the scene."""
     back = (points - np.asarray(shift)) / length @ rotation(points.shape[1], **turn)
     step = 1e-6 * np.ptp(back, axis=0).max()
     return [tuple(k) for k in np.round(back / step).astype(int).tolist()]
 
 
 def matched(found, expected, dimension):
-    """Pairs of the values of both at the same keys, or none if the keys are not the same; a key stands for all values within a step."""
+    """Pairs of values of both runs at equal keys, or none if the keys differ; a key represents all values within one step."""
     if len(found) != len(expected):
         return None
     pairs = []
@@ -175,14 +175,14 @@ def metamorphic_displacement(folder, reference, times=1, length=1, shift=0, **tu
 
 
 def metamorphic_principalStress(folder, reference, times=1, **motion):
-    """The same of the principal stresses, by the elements' centres."""
+    """The same for the principal stresses, at the elements' centres."""
     a, b = fields(folder), fields(reference)
     found = dict(zip(located(a.centroids(), **motion), a.cell["PrincipalStress"]))
     return worst(matched(found, dict(zip(located(b.centroids()), times * b.cell["PrincipalStress"])), a.dimension))
 
 
 def metamorphic_force(folder, reference, times=1, **motion):
-    """The same of the pair forces."""
+    """The same for the pair forces."""
     a, b = contact(folder), contact(reference)
     found = dict(zip(located(a.points, **motion), a.point["ContactForce"]))
     return worst(matched(found, dict(zip(located(b.points), times * b.point["ContactForce"])), a.dimension))
@@ -212,7 +212,7 @@ def metamorphic_sticking(folder, reference, **motion):
 
 
 def iterations_overReference(folder, reference):
-    """PCG iterations of all, the auxiliary problem's included."""
+    """Total PCG iterations, including the auxiliary problem."""
     both = []
     for one in (folder, reference):
         with open(os.path.join(one, "summary.json")) as file:
@@ -234,5 +234,5 @@ def memory_largestOverReference(folder, reference):
 
 
 def memory_largestOverSmallest(folder, _):
-    """Largest peak of a rank over the smallest: rank 0, which read the mesh, against the others."""
+    """Largest peak of a rank over the smallest: rank 0, which reads the mesh, against the others."""
     return peaks(folder)["max"] / peaks(folder)["min"]

@@ -5,8 +5,8 @@ import time
 
 
 def run(program, scenes, mpirun, output, ranks=(1, 2), limit=1200):
-    """Runs the scenes on each number of ranks; returns for each {"ranks", "scenes", "seconds", "failures", "table"}. The whole output is kept
-    in corpus_np<ranks>.txt."""
+    """Runs the scenes on each number of ranks; returns {"ranks", "scenes", "seconds", "failures", "table"} for each. The full output is in
+    corpus_np<ranks>.txt."""
     results = []
     for n in ranks:
         begin = time.monotonic()
@@ -30,11 +30,11 @@ def run(program, scenes, mpirun, output, ranks=(1, 2), limit=1200):
 
 
 def section(results):
-    """Its part of the page."""
+    """Section of the page."""
     lines = ["## Corpus of random scenes", "",
-             "Random contact scenes, each by both formulations and by Monolithic, judged by one loop over their elements and compared with each "
-             "other (`build/bin/test_corpus`). Neutral: a body has a rigid motion that nothing restrains at the solution; rounded: forces have "
-             "fewer digits than the bound asks for, since a body moves far.", ""]
+             "Random contact scenes, each solved by both formulations and by Monolithic, verified by one loop over the elements and compared with each "
+             "other (`build/bin/test_corpus`). Neutral: a rigid-body motion is unrestrained at the solution; rounded: forces have fewer "
+             "digits than the bound requires, because a body moves far.", ""]
     for result in results:
         lines += [f"{result['scenes']} scenes on {result['ranks']} ranks in {result['seconds']:.0f} s: "
                   + (f"**{len(result['failures'])} failed**" if result["failures"] else "none failed"), "", "```", *result["table"], "```", ""]

@@ -1,11 +1,11 @@
-"""Command line of the corpora that run random scenes on several numbers of ranks, and their table of results."""
+"""Command line and results table of the corpora that run random scenes on several numbers of ranks."""
 import argparse
 import json
 import os
 
 
 def parser(doc):
-    """Options that these corpora share; scenes are `seeds`, or `count` of them from `first` on."""
+    """Common options of these corpora; scenes are `seeds`, or `count` of them from `first` on."""
     made = argparse.ArgumentParser(description=doc.split("\n")[0])
     made.add_argument("--solve", required=True)
     made.add_argument("--output", required=True)
@@ -19,7 +19,7 @@ def parser(doc):
 
 
 def results(options, play):
-    """Result of play(options, seed) of each scene, one after the other; each is a line of results.jsonl in the output folder."""
+    """Yields the result of play(options, seed) for each scene, and writes it as a line of results.jsonl in the output folder."""
     os.makedirs(options.output, exist_ok=True)
     with open(os.path.join(options.output, "results.jsonl"), "w") as file:
         for seed in options.seeds or range(options.first, options.first + options.count):

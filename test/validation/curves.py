@@ -1,4 +1,4 @@
-"""Analytic pressures along contact lines: what the figures compare with, and the pictures draw."""
+"""Analytic pressures along contact lines, for the figures and the pictures."""
 import math
 
 import numpy as np
@@ -22,7 +22,7 @@ def uniform(x, pressure):
 
 
 def punch(x, force, halfWidth):
-    """Under a rigid flat punch pressed with `force`; none where it is infinite, and beyond."""
+    """Pressure under a rigid flat punch with `force`; NaN at the edges, where it is infinite, and beyond."""
     inside = np.abs(x) < halfWidth
     return np.where(inside, force / (math.pi * np.sqrt(np.where(inside, halfWidth ** 2 - x ** 2, 1))), np.nan)
 

@@ -1,5 +1,5 @@
-"""Random paths of load steps that pass through zero, reverse and end at zero, with bodies that carry nothing beside loaded ones: all methods
-and numbers of ranks solve each step, verified, with the same forces; without friction, forces follow the factors and zero loads leave none.
+"""Random paths of load steps that pass through zero, reverse and end at zero, with loaded and unloaded bodies: all methods and numbers of
+ranks solve and verify each step with the same forces; without friction, forces depend only on the factors and vanish under zero loads.
 
   cyclic_paths.py --solve build/drivers/suture_solve --mpirun "mpirun --oversubscribe" --output out --count 6 --first 1
 """
@@ -13,9 +13,9 @@ import sys
 
 METHODS = {"default": [], "Monolithic": ["Outer Solver/Type=Monolithic"], "Condensed": ["Formulation=Condensed Groups"]}
 LIMIT = 120      # seconds of a run
-SAME = 1e-5      # of the largest force on the path: forces of methods, and of steps with the same factors without friction
-NOTHING = 1e-9   # of the largest force on the path: forces under no loads without friction
-PLACES = 1e-12   # strain by the rounding of the bodies' places
+SAME = 1e-5      # relative to the largest force on the path: between methods, and between frictionless steps with equal factors
+NOTHING = 1e-9   # relative to the largest force on the path: frictionless forces under zero loads
+PLACES = 1e-12   # strain due to round-off in the bodies' coordinates
 SAID = ("not converged", "NOT VERIFIED", "NOT DETERMINED", "no solution", "equilibrium", "error")
 CELLS = ("Quadrilateral4", "Quadrilateral8", "Triangle3", "Triangle6")
 
@@ -41,7 +41,7 @@ def inner(name, lines):
 
 
 class Scene:
-    """Bodies that are boxes, in units of their own; each is held so that no load leaves any of them loose."""
+    """Box-shaped bodies in random units; each is held, so that no load leaves a body loose."""
 
     def __init__(self, seed):
         self.random = random.Random(seed)
@@ -65,7 +65,7 @@ class Scene:
         self.conditions[name] = [text("Type", kind), *([text("Group", group)] if group else []), *more]
 
     def cycle(self):
-        """Factors that begin anywhere, pass through zero, may reverse, and end at zero."""
+        """Random factors that pass through zero, may reverse, and end at zero."""
         r = self.random
         kinds = [0.0, 1.0, r.choice([-1.0, 0.5]), r.uniform(0.1, 1.0)]
         return [r.choice(kinds) for _ in range(self.times - 2)] + [r.choice([1.0, r.uniform(0.1, 1.0)]), 0.0]
@@ -94,7 +94,7 @@ class Scene:
 
 
 def layers(scene):
-    """Layers that touch, each clamped at one end; one of them is loaded, others may carry nothing."""
+    """Touching layers, each clamped at one end; one is loaded, others may be unloaded."""
     r = scene.random
     count, length, y = r.randint(2, 4), r.uniform(1, 3), 0.0
     for k in range(count):
@@ -115,7 +115,7 @@ def layers(scene):
 
 
 def press(scene):
-    """A die on a base, pressed and released; a block that touches the side of the base carries nothing, or a little."""
+    """A die on a base, pressed and released; a block at the side of the base carries no or little force."""
     r = scene.random
     scene.box("base", (0, 2), (0, 1), (r.randint(8, 14), r.randint(4, 6)))
     scene.condition("foot", "Displacement", "base_bottom", array("Value", [0, 0]))
@@ -137,7 +137,7 @@ def press(scene):
 
 
 def fit(scene):
-    """A pin that a temperature, or its sign, presses into a bush."""
+    """A pin pressed into a bush by a temperature of either sign."""
     r = scene.random
     scene.model = "Axisymmetric"
     gap = r.choice([0.0, 0.0, 1e-6])
@@ -159,8 +159,8 @@ class Run:
             self.code, self.text = done.returncode, done.stdout
         except subprocess.TimeoutExpired as expired:
             self.code, self.text = "hang", (expired.stdout or b"").decode(errors="replace")
-        told = [line.strip() for line in self.text.split("\n") if any(words in line for words in SAID)]
-        self.failure = " | ".join(told[:2]) or self.text[-400:]
+        errors = [line.strip() for line in self.text.split("\n") if any(words in line for words in SAID)]
+        self.failure = " | ".join(errors[:2]) or self.text[-400:]
         self.forces = []  # of each step, of all contacts
         if self.code == 0:
             with open(os.path.join(folder, "steps.csv")) as file:
@@ -172,7 +172,7 @@ def furthest(one, other):
 
 
 def faults(scene, runs):
-    """What is wrong with the runs of a scene, in words."""
+    """Failures of the runs of a scene, as texts."""
     wrong = ["%s: exit code %s: %s" % (name, run.code, run.failure) for name, run in runs.items() if run.code != 0]
     if wrong:
         return wrong

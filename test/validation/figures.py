@@ -1,4 +1,4 @@
-"""Figures that the tests compute from the files of a run, independently of the program: what summary.json does not say.
+"""Figures that are not in summary.json, computed from the files of a run independently of the program.
 
 figure("hertz.fittedPressure", folder) reads folder/fields_0000.vtkhdf and folder/contact_0000.vtkhdf. Signs as in the files: tension
 positive, contact pressure > 0 where it presses, gap > 0 where open.
@@ -16,8 +16,8 @@ import paths
 from runfiles import contact, fields, hooke, linearTriangles, ofBodies, rotation, summary, turned
 
 
-# --- V1, V14: patch test of two blocks, the whole turned by `angle` degrees, in space about `axis`: sigma = -pressure n x n everywhere, n
-# the axis that was y, in space z ---
+# --- V1, V14: patch test of two blocks, rotated by `angle` degrees, in 3D about `axis`: sigma = -pressure n x n everywhere, n the
+# rotated y axis, in 3D the rotated z axis ---
 
 def patch_stressError(folder, _, pressure=1e5, **turn):
     """Largest deviation of any stress component, over the pressure."""
@@ -41,7 +41,7 @@ def patch_displacementError(folder, _, pressure=1e5, angle=0, youngBelow=2e6, yo
 
 
 def patch_contractionError(folder, _, pressure=1e5, below=2e6, above=2e6, poisson=0.3, depth=0.5, **turn):
-    """The same of blocks in space that stand on z = -depth, slide along x = 0 and y = 0 and are free elsewhere (before the turn): over the
+    """The same for 3D blocks on z = -depth that slide along x = 0 and y = 0 and are free elsewhere (before the rotation), over the
     largest u. `below`, `above`: Young's moduli."""
     f, worst, largest = fields(folder), 0.0, 0.0
     r = rotation(3, **turn)
@@ -61,7 +61,7 @@ def patch_pressureError(folder, _, pressure=1e5):
 # --- V2: rings ---
 
 def radial(folder, radius):
-    """Values of every node once: points that several ranks have written would count more in a mean."""
+    """Values with every node once, since points written by several ranks would count more in a mean."""
     f = fields(folder)
     r = np.hypot(f.points[:, 0], f.points[:, 1])
     at = np.flatnonzero(np.abs(r - radius) < 1e-6)
@@ -90,7 +90,7 @@ def rings_largestPressure(folder, _):
 
 
 def exactEnergyError(folder, stressAt):
-    """Energy norm of the computed stresses less exact ones: stressAt(points) gives xx, yy, xy; from the middles of the sides."""
+    """Energy norm of the stress error, by quadrature at the edge midpoints; stressAt(points) gives the exact xx, yy, xy."""
     f = fields(folder)
     area, strain = linearTriangles(f, f.point["Displacement"])
     law = hooke(folder, f)
@@ -110,7 +110,7 @@ def rings_effectivity(folder, _):
         r2 = (points ** 2).sum(axis=1)
         mean = -pressure * outer ** 2 / (outer ** 2 - inner ** 2)
         c2, s2 = (points[:, 0] ** 2 - points[:, 1] ** 2) / r2, 2 * points[:, 0] * points[:, 1] / r2
-        deviation = -mean * inner ** 2 / r2  # radial less the mean
+        deviation = -mean * inner ** 2 / r2  # radial minus mean
         return np.stack([mean + deviation * c2, mean - deviation * c2, deviation * s2], axis=1)
     return summary(folder)["error"]["estimated_energy_norm"] / exactEnergyError(folder, stressAt)
 
@@ -118,7 +118,7 @@ def rings_effectivity(folder, _):
 # --- V3: Hertz, fit of p^2 = p0^2 (1 - x^2 / a^2) over |x| < 0.8 a ---
 
 def fromTheMiddle(c):
-    """Distance of the points of a contact from x = 0, in space from the axis x = y = 0."""
+    """Distance of the points of a contact from x = 0, in 3D from the axis x = y = 0."""
     return np.linalg.norm(c.points[:, :c.dimension - 1], axis=1)
 
 
@@ -153,10 +153,10 @@ def hertzRubber_fittedHalfWidth(folder, _):
     return hertzFit(folder, 0.874097)[1]
 
 
-# --- V18: Cattaneo's line contact of two bodies of one material, gap x^2 / (2 R), under the forces P and Q that the run found ---
+# --- V18: Cattaneo's line contact of two bodies of one material, gap x^2 / (2 R), under the computed forces P and Q ---
 
 def cattaneo(folder, mu=0.3, modulus=1 / (2 * 0.91), radius=1.0, line="touch"):
-    """Places, tangential tractions, largest one mu p0, half widths of contact and stick."""
+    """Points, tangential tractions, their maximum mu p0, half widths of contact and stick."""
     with open(os.path.join(folder, "summary.json")) as file:
         tangential, normal = (abs(v) for v in json.load(file)["contact"]["force"][line])
     a = math.sqrt(4 * normal * radius / (math.pi * modulus))
@@ -165,24 +165,24 @@ def cattaneo(folder, mu=0.3, modulus=1 / (2 * 0.91), radius=1.0, line="touch"):
 
 
 def cattaneo_halfWidth(folder, _, **options):
-    """Half width of the contact by Hertz."""
+    """Half width of the contact after Hertz."""
     return cattaneo(folder, **options)[3]
 
 
 def cattaneo_stickRatio(folder, _, **options):
-    """c / a by the traction in the middle, q(0) = mu p0 (1 - c/a)."""
+    """c / a from the traction at the centre, q(0) = mu p0 (1 - c/a)."""
     x, q, most, _, _ = cattaneo(folder, **options)
     return float(1 - q[np.argmin(np.abs(x))] / most)
 
 
 def cattaneo_stickRatioError(folder, _, **options):
-    """Relative deviation of that from sqrt(1 - Q / (mu P))."""
+    """Relative deviation of c / a from sqrt(1 - Q / (mu P))."""
     _, _, _, a, c = cattaneo(folder, **options)
     return abs(cattaneo_stickRatio(folder, None, **options) * a / c - 1)
 
 
 def cattaneo_tractionError(folder, _, beside=1.5, **options):
-    """Largest deviation of the traction over mu p0, but `beside` pairs from the ends of contact and stick, where its slope is infinite."""
+    """Largest deviation of the traction over mu p0, except within `beside` pairs of the ends of contact and stick, where its slope is infinite."""
     x, q, most, a, c = cattaneo(folder, **options)
     step = np.min(np.diff(np.sort(x)))
     exact = most * (np.sqrt(np.maximum(0, 1 - (x / a) ** 2)) - c / a * np.sqrt(np.maximum(0, 1 - (x / c) ** 2)))
@@ -190,7 +190,7 @@ def cattaneo_tractionError(folder, _, beside=1.5, **options):
     return float(np.max(np.abs(q - exact)[far]) / most)
 
 
-# The same of a sphere: p^2 = p0^2 (1 - r^2 / a^2), a = 1 in input/hertz_sphere
+# The same for a sphere: p^2 = p0^2 (1 - r^2 / a^2), a = 1 in input/hertz_sphere
 
 def sphere_fittedPressure(folder, _, radius=1.0):
     return hertzFit(folder, radius)[0]
@@ -207,7 +207,7 @@ def sphere_centrePressure(folder, _):
 # --- V4: roller ---
 
 def roller_displacement(folder, _):
-    """u_y of the block under the middle of the contact."""
+    """u_y of the block under the centre of the contact."""
     f = fields(folder)
     return float(f.point["Displacement"][np.hypot(f.points[:, 0], f.points[:, 1]) < 1e-9, 1].min())
 
@@ -215,7 +215,7 @@ def roller_displacement(folder, _):
 # --- V7: rigid flat punch of half width 1, half of it ---
 
 def punch_pressureError(folder, _, within=0.8):
-    """Largest deviation of the nodal pressure from P / (pi sqrt(1 - x^2)) for x < within, over that; P is the run's own force."""
+    """Largest deviation of the nodal pressure from P / (pi sqrt(1 - x^2)) for x < within, relative; P is the computed force."""
     c = contact(folder)
     force = 2 * c.point["ContactForce"].sum()
     use = c.points[:, 0] < within
@@ -225,7 +225,7 @@ def punch_pressureError(folder, _, within=0.8):
 # --- the pressure as a function on the contact line ---
 
 def line_pressureAt(folder, _, x):
-    """Nodal pressure at the point of the contact lines with that x."""
+    """Nodal pressure at the point of the contact lines with the given x."""
     c = contact(folder)
     return float(c.point["ContactPressure"][np.argmin(np.abs(c.points[:, 0] - x))])
 
@@ -248,7 +248,7 @@ def line_pressureL2(folder, _, curve, along="x", within=None, **options):
     return float(math.sqrt(errors / norms))
 
 
-# --- statics: forces of contact pairs, whatever the bodies ---
+# --- statics: forces of contact pairs, for any bodies ---
 
 def statics_moment(folder, _):
     """Moment about the origin of the contact forces on side B."""
@@ -267,7 +267,7 @@ def statics_force(folder, _, along, above=-math.inf, below=math.inf):
 # --- V8: the tunnel (centre (60, 39.5), radius 6, fault leaning 25 degrees) ---
 
 def wallStress(folder, side):
-    """Least principal stress of the elements that have a side on the tunnel wall, of the right (side 1) or the left body (0)."""
+    """Smallest principal stress of the elements at the tunnel wall, of the right (side 1) or the left body (0)."""
     f = fields(folder)
     onWall = np.abs(np.hypot(f.points[:, 0] - 60, f.points[:, 1] - 39.5) - 6) < 1e-4
     right = f.centroids()
@@ -289,7 +289,7 @@ def tunnel_rightOverLeft(folder, _):
 
 
 def tunnel_openAboveFoot(folder, _):
-    """Number of open pairs with a closed one below them: 0 when all that is open is the foot of the lower piece."""
+    """Number of open pairs above a closed pair: 0 if only the foot of the lower piece is open."""
     c = contact(folder)
     y, active = c.points[:, 1], c.point["Active"] != 0
     lowestClosed = y[active].min()
@@ -306,7 +306,7 @@ def history_energyIncrease(folder, _):
 
 
 def vtk_quadrilateralArea(folder, _):
-    """Area of all quadrilaterals that VTK's own reader finds, each by the order of its corners."""
+    """Area of all quadrilaterals from VTK's own reader, computed in the order of their corners."""
     from vtkmodules.vtkCommonDataModel import VTK_QUAD
     from vtkmodules.vtkIOHDF import vtkHDFReader
 

@@ -1,4 +1,4 @@
-"""A random scene with friction while it is made: bodies, conditions, contacts in units of its own, turned and scaled as it is written."""
+"""Builder of a random scene with friction: bodies, conditions, contacts in its own units, rotated and scaled on writing."""
 import math
 import os
 import random as randoms
@@ -10,7 +10,7 @@ SPACE = ["Tetrahedron4", "Tetrahedron10", "Hexahedron8", "Hexahedron20", "Hexahe
 
 
 def fill(scene, families, family=None):
-    """Fills an empty scene by one of the families, by chance if none is named. `families`: [(function, weight)]."""
+    """Fills an empty scene from one of the families, a random one if none is given. `families`: [(function, weight)]."""
     chosen = scene.random.choices([f for f, _ in families], [w for _, w in families])[0]
     if family:
         chosen = next(f for f, _ in families if f.__name__ == family)
@@ -20,7 +20,7 @@ def fill(scene, families, family=None):
 
 
 class Law:
-    """A law of friction in units of the scene."""
+    """A friction law in units of the scene."""
 
     def __init__(self, kind, mu=0.0, cohesion=0.0, bound=0.0):
         self.kind, self.mu, self.cohesion, self.bound = kind, mu, cohesion, bound
@@ -34,7 +34,7 @@ class Law:
         return self.kind in ("Tied", "No Separation")
 
     def capacity(self, normal, area):
-        """Largest tangential force under a normal one."""
+        """Largest tangential force for a normal force."""
         if self.kind == "Tied":
             return math.inf
         return 0.0 if self.free else self.mu * normal + (self.cohesion + self.bound) * area
@@ -45,7 +45,7 @@ class Law:
 
 
 class Scene:
-    """`expected`: "some" and "none" are known by statics, "open" is not."""
+    """`expected`: "some" and "none" follow from statics, "open" is unknown."""
 
     def __init__(self, seed, dimension=None):
         self.random = r = randoms.Random(seed)
@@ -63,16 +63,16 @@ class Scene:
         self.model = "Solid" if self.d == 3 else r.choice(["Plane Strain", "Plane Strain", "Plane Stress"])
         self.jump = r.uniform(0, 4) if r.random() < 0.4 else 0.0
         self.subdomains = r.randint(4, 16)
-        self.times, self.factors = [], {}  # of load steps: factors by place of the condition
+        self.times, self.factors = [], {}  # load steps: factors by index of the condition
 
     # Bodies ----------------------------------------------------------------------------------------------------------------------------
     def cells(self, *numbers):
-        """Numbers of cells for a linear mesh of the plane, as this scene has them."""
+        """Numbers of cells in this scene for those of a linear 2D mesh."""
         factor = {(2, 1): 1.0, (2, 2): 0.55, (3, 1): 0.5, (3, 2): 0.26}[(self.d, self.order)]
         return [max(2 if k == 0 else 1, round(n * factor)) for k, n in enumerate(numbers)]
 
     def body(self, name, patches, young=None):
-        """`patches`: (cells, map, sides) of the plane; in space over a depth, for maps of the plane."""
+        """`patches`: (cells, map, sides) in 2D; in 3D, 2D maps are extruded over a depth."""
         young = young if young is not None else 10 ** (self.random.uniform(0, self.jump))
         index = {}
         self.bodies[name] = young
@@ -81,14 +81,14 @@ class Scene:
             self.mesh.patch(name, self.cell, cells, turned, sides, index)
 
     def extruded(self, name, patches, depth=1.0, layers=None, young=None):
-        """A body of the plane; in space a prism."""
+        """A 2D body; in 3D a prism."""
         if self.d == 3:
             layers = layers or self.cells(1, self.random.randint(4, 10))[1]
             patches = [((*cells, layers), deep(place, depth), {**sides, "r0": "front", "r1": "back"}) for cells, place, sides in patches]
         self.body(name, patches, young)
 
     def box(self, name, x, y, cells, bottom=None, top=None, depth=1.0, layers=None, young=None, lean=0.0):
-        """A box with sides left, right, bottom, top (in space front, back); `bottom`, `top`: heights beyond y, functions of x and z."""
+        """A box with sides left, right, bottom, top (in 3D front, back); `bottom`, `top`: heights beyond y, functions of x and z."""
         low, high = bottom or (lambda x, z: 0.0), top or (lambda x, z: 0.0)
 
         def place(s, t, r=0.5):
@@ -117,7 +117,7 @@ class Scene:
         self.conditions.append((group, "Bilateral", None, None))
 
     def sideways(self, body, side="left"):
-        """Rollers against all motions but the vertical one."""
+        """Rollers against all motions except the vertical one."""
         self.roller(body + "_" + side)
         if self.d == 3:
             self.roller(body + "_front")
@@ -231,7 +231,7 @@ class Scene:
         return sum(group in names for _, group, _ in self.mesh.elements)
 
     def linear(self, by, gradient, centre):
-        """by + gradient (x - centre) of the scene's own axes, as expressions of the turned and scaled ones."""
+        """by + gradient (x - centre) in the scene's axes, as expressions in the rotated and scaled coordinates."""
         d, turn = self.d, self.turn
         full = [[sum(turn[i][a] * gradient[a][b] * turn[k][b] for a in range(d) for b in range(d)) for k in range(d)] for i in range(d)]
         start, origin = self.turned(by), self.turned(centre)

@@ -1,4 +1,4 @@
-"""The corpus of random scenes with friction: the default solver and Monolithic on each, judged by each other, the verdict and statics.
+"""Corpus of random scenes with friction: compares the default solver with Monolithic, the verdict and statics on each.
 
   friction_corpus.py --solve build/drivers/suture_solve --output out --count 40 --first 1
 """
@@ -19,9 +19,9 @@ import friction_scenes  # noqa: E402
 
 LIMIT = 60       # seconds of a run
 SAME = 1e-5      # relative, of energies and forces of contacts
-FEW = 10         # applications: below, their ratio means nothing
-SAME_PAIR = 1e-4  # of the forces of pairs, by the largest
-REFUSED = ("no equilibrium", "push it there", "slides away")  # as long as "an equilibrium need not exist" is none of them
+FEW = 10         # applications: below, their ratio is meaningless
+SAME_PAIR = 1e-4  # forces of pairs, relative to the largest
+REFUSED = ("no equilibrium", "push it there", "slides away")  # unless one of them is "an equilibrium need not exist"
 FAILED = ("WRONG", "hang", "crash", "input", "default fails", "Monolithic fails", "both fail", "default breaks down",
           "refused, but has a solution", "solved, but has no solution")
 
@@ -55,20 +55,20 @@ class Run:
         return self.summary["outer"]
 
     def forces(self):
-        """Of each pair the force on side B, by contact and pair."""
+        """Force on side B of each pair, by contact and pair."""
         of = lambda row, name: float(row.get(name) or 0.0)
         return {(row["contact"], row["pair"]): tuple(of(row, "force") * of(row, "n" + c) + of(row, "t" + c) for c in "xyz")
                 for row in self.pairs}
 
 
-def apart(one, two, rounding):
-    """Largest differences of two runs: energy, forces of contacts, forces of pairs; relative. `rounding`: a force that is none."""
+def apart(one, two, negligible):
+    """Largest differences of two runs: energy, forces of contacts, forces of pairs; relative. `negligible`: force at round-off level."""
     size = max(abs(one.summary["energy"]), abs(two.summary["energy"]))
     energy = abs(one.summary["energy"] - two.summary["energy"]) / size if size > 0 else 0.0
     a, b = one.summary["contact"]["force"], two.summary["contact"]["force"]
     f, g = one.forces(), two.forces()
     largest = lambda all_: max((abs(x) for v in all_ for x in v), default=0.0)
-    pair = max(largest(f.values()), largest(g.values()), rounding)
+    pair = max(largest(f.values()), largest(g.values()), negligible)
     pairs = max((abs(x - y) for k in f.keys() & g.keys() for x, y in zip(f[k], g[k])), default=0.0)
     total = max(largest(a.values()), largest(b.values()), pair)
     contacts = max((abs(x - y) for k in a for x, y in zip(a[k], b[k])), default=0.0)
@@ -76,7 +76,7 @@ def apart(one, two, rounding):
 
 
 def judge(scene, one, two):
-    """The class of a scene by its run and Monolithic's, and a remark."""
+    """Class of a scene from its run and Monolithic's, and a remark."""
     for run in (one, two):
         if run.code == "hang":
             return "hang", "of " + ("the default" if run is one else "Monolithic")
@@ -92,7 +92,7 @@ def judge(scene, one, two):
         if energy > SAME or contacts > SAME or pairs > SAME_PAIR:
             jumps = any(c["law"].cohesion or c["law"].bound for c in scene.contacts) and any(
                 run.summary["contact"]["active"] < run.summary["contact"]["pairs"] for run in (one, two))  # lost where a pair opens
-            # The same displacements: a support holds the node of a pair, too, and takes any part of its force.
+            # The same displacements: a support also holds the node of a pair and may take any part of its force.
             shared = energy < SAME ** 2 and any(kind == "Bilateral" for _, kind, _, _ in scene.conditions)
             if contraction >= 1.0 or largest > 1.0 or jumps or shared:
                 return "two solutions", remark + ", contraction %.2g, mu %.2g" % (contraction, largest)
@@ -104,7 +104,7 @@ def judge(scene, one, two):
         return "Monolithic fails", "%s: %s" % (two.code, two.failure)
     if two.solved:
         if two.summary["extremes"]["von_mises"]["value"] < 1e-9 * scene.load * scene.stress:
-            return "no stress", one.failure  # a body moved as a whole: rounding is all that can be compared
+            return "no stress", one.failure  # pure rigid motion: only round-off remains to compare
         return "default fails", "%s: %s" % (one.code, one.failure)
     both = "%s | %s" % (one.failure, two.failure)
     refuses = [any(words in run.failure + run.text for words in REFUSED) for run in (one, two)]
@@ -116,7 +116,7 @@ def judge(scene, one, two):
         return "default breaks down", one.failure  # where it should refuse
     unsettled = "not reached within" in one.failure and "neither" in two.failure
     if unsettled and any(c["law"].cohesion or c["law"].bound for c in scene.contacts):
-        return "law jumps", both  # cohesion is lost where a pair opens: there need not be a solution
+        return "law jumps", both  # cohesion is lost where a pair opens: a solution need not exist
     return "both fail", both
 
 

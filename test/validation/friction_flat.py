@@ -1,13 +1,13 @@
-"""Random scenes with friction on flat sides: what statics knows of them, they say."""
+"""Random scenes with friction on flat sides, with the outcome that statics predicts."""
 import math
 
 
 def push(scene, area, normal, laws, height, width):
-    """A shear traction on a flat pile of bodies, above joints of the laws, all under the same normal force; says what follows by statics.
-    A pile that topples is excluded by the size of the push."""
+    """A shear traction on a flat pile of bodies, above joints with the given laws, all under the same normal force. Sets the
+    outcome known by statics and returns the traction. The push is too small to topple the pile."""
     r = scene.random
     capacity = min(law.capacity(normal, area) for law in laws)
-    largest = 0.3 * normal * width / height  # the resultant stays in the middle of the base
+    largest = 0.3 * normal * width / height  # the resultant stays in the central part of the base
     ratio = r.uniform(0.0, 0.95) if r.random() < 0.8 else r.uniform(1.05, 1.5)
     force = ratio * min(capacity, 3 * normal + area)
     if force > largest and not all(law.tension for law in laws):
@@ -23,7 +23,7 @@ def push(scene, area, normal, laws, height, width):
 
 
 def moved(scene, side, width, height):
-    """Prescribes a rigid motion of the upper side: down, across, tilted, in space turned about the vertical."""
+    """Prescribes a rigid motion of the upper side: down, across, tilted, in 3D also rotated about the vertical."""
     r = scene.random
     down, across, tilt = r.uniform(0.3, 3), r.choice([0.0, r.uniform(-3, 3), r.uniform(-0.3, 0.3)]), r.choice([0.0, r.uniform(-1, 1)])
     size = scene.load * height
@@ -65,7 +65,7 @@ def floor(scene):
 
 
 def stack(scene):
-    """Two to four blocks on each other, the lowest held."""
+    """Stack of two to four blocks, the lowest held."""
     r = scene.random
     count, width, depth, matching = r.randint(2, 4), r.uniform(0.6, 2.5), r.uniform(0.6, 1.4), r.random() < 0.4
     across, layers = r.randint(5, 16), scene.cells(1, r.randint(6, 10))[1]
@@ -116,7 +116,7 @@ def stack(scene):
 
 
 def incline(scene):
-    """A block on a slope, elastic or rigid: its weight holds it up to the angle of friction."""
+    """A block on a slope, elastic or rigid: it sticks up to the friction angle."""
     r = scene.random
     width, height = r.uniform(0.6, 2), r.uniform(0.3, 0.8)
     law = scene.law(["Coulomb", "Coulomb", "Coulomb", "Coulomb cohesion", "Tresca"])
@@ -144,7 +144,7 @@ def incline(scene):
 
 
 def clamp(scene):
-    """A body between two jaws, pressed by one of them: friction alone carries its weight."""
+    """A body between two jaws, one of which presses: only friction carries its weight."""
     r = scene.random
     height, thick, depth = r.uniform(0.6, 1.2), r.uniform(0.4, 1), r.uniform(0.6, 1.2)
     n = r.randint(4, 12)
@@ -176,7 +176,7 @@ def clamp(scene):
 
 
 def layers(scene):
-    """Beams on each other, clamped at one end and bent at the other: they slide on each other."""
+    """Stacked beams, clamped at one end and bent at the other: they slide on each other."""
     r = scene.random
     count, length, depth = r.randint(2, 4), r.uniform(2, 6), r.uniform(0.4, 1)
     across, matching, deep_cells = r.randint(10, 24), r.random() < 0.5, scene.cells(1, r.randint(4, 6))[1]

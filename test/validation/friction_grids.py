@@ -1,8 +1,8 @@
-"""Bodies of random scenes as grids of cells: patches of mapped grids, joined where they meet, written as one mesh in Gmsh's format 2.2."""
+"""Bodies of random scenes as grids of cells: patches of mapped grids, joined at common nodes, written as one mesh in Gmsh's format 2.2."""
 import math
 
 LINES = {1: 1, 2: 8}
-# Cell: Gmsh's number, order, and which of its nodes beyond the vertices follow: pairs of vertices, then sides, then the whole.
+# Cell: Gmsh's number, order, and nodes after the vertices: edges by vertex pairs, then sides, then the cell.
 CELLS = {
     "Triangle3": (2, 1, []),
     "Triangle6": (9, 2, [(0, 1), (1, 2), (2, 0)]),
@@ -25,7 +25,7 @@ TETRAHEDRA = [(0, 1, 2, 6), (0, 5, 1, 6), (0, 4, 5, 6), (0, 2, 3, 6), (0, 3, 7, 
 
 
 class Mesh:
-    """Nodes and groups of elements. Nodes of one body at one place are one node."""
+    """Nodes and groups of elements. Coincident nodes of one body are merged."""
 
     def __init__(self):
         self.nodes, self.groups, self.elements = [], {}, []
@@ -35,7 +35,7 @@ class Mesh:
 
     def patch(self, body, cell, cells, place, sides, index):
         """A grid of `cells` (two or three numbers) under the map `place` of the unit square or cube. `sides`: names of its faces ("s0",
-        "s1", "t0", "t1", "r0", "r1"; none: no side). `index`: the nodes of the body, by place."""
+        "s1", "t0", "t1", "r0", "r1"; none: no side). `index`: the nodes of the body, by coordinates."""
         d = len(cells)
 
         def node(at):
@@ -116,13 +116,13 @@ def divided(cell, corners, odd):
 
 
 def straight(*corners):
-    """The bilinear map onto a quadrilateral, its corners anticlockwise."""
+    """The bilinear map onto a quadrilateral with anticlockwise corners."""
     a, b, c, d = corners
     return lambda s, t: tuple((1 - s) * (1 - t) * a[k] + s * (1 - t) * b[k] + s * t * c[k] + (1 - s) * t * d[k] for k in range(2))
 
 
 def arc(centre, inner, outer, begin, end):
-    """The map onto a part of a ring: s along the angle, t from the outer radius inwards."""
+    """The map onto a ring segment: s along the angle, t from the outer radius inwards."""
     def place(s, t):
         radius, angle = outer + (inner - outer) * t, begin + (end - begin) * s
         return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
@@ -130,12 +130,12 @@ def arc(centre, inner, outer, begin, end):
 
 
 def deep(place, depth):
-    """The prism over a map of the plane: r along z."""
+    """The prism over a 2D map: r along z."""
     return lambda s, t, r: (*place(s, t), depth * (r - 0.5))
 
 
 def rotation(random, dimension):
-    """A random turn of the plane or of space, as rows."""
+    """A random 2D or 3D rotation matrix, as rows."""
     if dimension == 2:
         a = random.uniform(0, 2 * math.pi)
         return [[math.cos(a), -math.sin(a)], [math.sin(a), math.cos(a)]]

@@ -1,6 +1,6 @@
-"""Random scenes with friction on several numbers of ranks: the same exit code, no bug (70), no hang, the same answer. Every second scene has no
-more subdomains than bodies, so that there are ranks without a subdomain. Run with the library of test/mpi, as the tests do, it also shows where
-ranks part.
+"""Random scenes with friction on several numbers of ranks: the same exit code and solution, no bug (70), no hang. Every second scene has one
+subdomain per body, so that some ranks have no subdomain. With the library of test/mpi, as in the tests, it also shows where ranks call
+different collectives.
 
   friction_ranks.py --solve build/drivers/suture_solve --output out --count 40 --first 1 --mpirun "mpirun --oversubscribe"
 """
@@ -19,12 +19,12 @@ ENDS = (0, 3, 4)  # exit codes of sound runs
 
 
 def several(run):
-    """True if the scene may have several solutions: then runs may find different ones."""
+    """True if the scene may have several solutions, so that runs may differ."""
     return run.summary["outer"].get("estimates", {}).get("contraction", 0.0) >= 1.0
 
 
 def judge(scene, runs):
-    """What is wrong with the runs of a scene, by number of ranks; and a remark."""
+    """Class of the runs of a scene, by number of ranks, and a remark."""
     codes = {ranks: run.code for ranks, run in runs.items()}
     if "hang" in codes.values():
         return "hang", str(codes)
@@ -35,8 +35,8 @@ def judge(scene, runs):
     solved = [run for run in runs.values() if run.solved]
     if not solved:
         return "not solved", codes[1]
-    rounding = 1e-9 * scene.load * scene.stress * scene.length ** (scene.d - 1)
-    energy, contacts, pairs = (max(values) for values in zip(*(friction_corpus.apart(solved[0], other, rounding) for other in solved[1:])))
+    negligible = 1e-9 * scene.load * scene.stress * scene.length ** (scene.d - 1)
+    energy, contacts, pairs = (max(values) for values in zip(*(friction_corpus.apart(solved[0], other, negligible) for other in solved[1:])))
     remark = "energy %.1e, contacts %.1e, pairs %.1e" % (energy, contacts, pairs)
     if energy > friction_corpus.SAME or contacts > friction_corpus.SAME:
         return ("two solutions" if any(map(several, solved)) else "answers differ"), remark

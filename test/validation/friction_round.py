@@ -1,4 +1,4 @@
-"""Random scenes with friction on sides that lean or are curved."""
+"""Random scenes with friction on inclined or curved sides."""
 import math
 
 from friction_flat import moved
@@ -6,7 +6,7 @@ from friction_grids import arc, straight
 
 
 def groove(scene):
-    """A wedge in a groove with two leaning flanks, rigid or elastic."""
+    """A wedge in a groove with two inclined flanks, rigid or elastic."""
     r = scene.random
     alpha, height, tip = r.uniform(0.2, 1.1), r.uniform(0.5, 1), r.uniform(0.1, 0.5)
     wide = tip + height * math.tan(alpha)
@@ -50,7 +50,7 @@ def groove(scene):
 
 
 def pin(scene):
-    """A pin in the hole of a ring, with clearance: it lies or rolls in it, moved or under a load, held by contact alone."""
+    """A pin in the hole of a ring, with clearance: it lies or rolls, moved or loaded, held only by contact."""
     r = scene.random
     clearance = r.choice([0.0, 10 ** r.uniform(-5, -2), 10 ** r.uniform(-3, -1.3), -10 ** r.uniform(-5, -3)])
     around, radial = r.randint(16, 36), r.randint(2, 4)
@@ -84,7 +84,7 @@ def pin(scene):
 
 
 def cylinder(scene):
-    """Half a cylinder, in space also a cap of a ball, on a block or a rigid flat: pressed, then sheared or turned (Cattaneo)."""
+    """Half a cylinder, in 3D also a spherical cap, on a block or a rigid flat: pressed, then sheared or rotated (Cattaneo)."""
     r = scene.random
     law, depth = scene.law(), 0.6
     cap = scene.d == 3 and r.random() < 0.5
@@ -94,7 +94,7 @@ def cylinder(scene):
         scene.box("round", (-0.5, 0.5), (0, 0.5), n, bottom=lambda x, z: curvature * (x * x + z * z), layers=n[0])
         width = 1.2
     else:
-        scene.load = 10 ** r.uniform(-3, -1.7)  # the contact is a part of the side
+        scene.load = 10 ** r.uniform(-3, -1.7)  # the contact covers part of the side
         n = r.randint(10, 24)
         n = max(8, n * 2 // 3) if scene.order == 2 else n
         rows = scene.cells(1, r.randint(3, 6))[1]
@@ -123,7 +123,7 @@ def cylinder(scene):
 
 
 def dovetail(scene):
-    """A root with two leaning flanks in a slot, pulled out of it."""
+    """A root with two inclined flanks, pulled out of a slot."""
     r = scene.random
     neck, foot, height, wide = r.uniform(0.3, 0.6), r.uniform(0.7, 1.2), r.uniform(0.4, 0.9), r.uniform(1.5, 2.2)
     low, depth, n = 0.15, r.uniform(0.6, 1.2), r.randint(4, 14)
@@ -197,7 +197,7 @@ def wave(scene):
 
 
 def arch(scene):
-    """Stones of an arch between rigid springers, held by the friction of their joints alone."""
+    """Stones of an arch between rigid springers, held only by friction in the joints."""
     r = scene.random
     count = r.randint(2, 4)
     begin = r.uniform(0.1, 0.6)

@@ -1,4 +1,4 @@
-"""The scene of a seed: its family by chance, all else by the family."""
+"""Random scene for a seed: random family and parameters."""
 from friction_builder import Scene, fill
 from friction_flat import clamp, floor, incline, layers, stack
 from friction_round import arch, ball, cylinder, dovetail, groove, pin, wave
@@ -8,5 +8,5 @@ FAMILIES = [(floor, 4), (stack, 5), (incline, 3), (groove, 3), (pin, 3), (cylind
 
 
 def scene(seed, family=None, dimension=None):
-    """The scene of a seed."""
+    """Returns the scene for a seed."""
     return fill(Scene(seed, dimension), FAMILIES, family)

@@ -1,10 +1,10 @@
-"""Random scenes with the kernels of several processors: rounding must not decide whether a scene is solved.
+"""Random scenes with OpenBLAS kernels for several processors: round-off must not decide whether a scene is solved.
 
   kernels.py --solve build/drivers/suture_solve --output out --seeds 97 977
   kernels.py --solve build/drivers/suture_solve --corpus build/bin/test_corpus --output out --count 200
 
-OpenBLAS takes its kernels by OPENBLAS_CORETYPE; those that this processor cannot run are left out. Each scene with friction must end with
-the same exit code and, where it is solved, with the same energy and contact forces; each frictionless one must pass its own judge.
+OPENBLAS_CORETYPE selects the kernels; those that this processor cannot run are skipped. Each scene with friction must end with the same
+exit code and, if solved, with the same energy and contact forces; each frictionless scene must pass the corpus' own check.
 """
 import argparse
 import concurrent.futures
@@ -21,7 +21,7 @@ KERNELS = {"Prescott": {"pni"}, "Haswell": {"avx2", "fma"}, "Zen": {"avx2", "fma
 
 
 def flags():
-    """Features of this processor; None if they are not known."""
+    """Features of this processor; None if unknown."""
     try:
         with open("/proc/cpuinfo") as file:
             return next((set(line.split(":")[1].split()) for line in file if line.startswith("flags")), None)
@@ -34,7 +34,7 @@ def runnable(have):
 
 
 def play(program, output, seed, kernels):
-    """What differs between the kernels; empty if nothing does."""
+    """Differences between the kernels; empty if none."""
     scene = friction_scenes.scene(seed)
     folder = os.path.join(output, "s%d" % seed)
     scene.write(folder)
@@ -44,11 +44,11 @@ def play(program, output, seed, kernels):
         return "exit codes differ: %s" % codes
     first, *others = runs.values()
     if first.solved:
-        rounding = 1e-9 * scene.load * scene.stress * scene.length ** (scene.d - 1)
+        negligible = 1e-9 * scene.load * scene.stress * scene.length ** (scene.d - 1)
         for other, kernel in zip(others, kernels[1:]):
             if not other.solved:
                 return "verified with %s only" % kernels[0]
-            energy, contacts, _ = friction_corpus.apart(first, other, rounding)
+            energy, contacts, _ = friction_corpus.apart(first, other, negligible)
             if energy > friction_corpus.SAME or contacts > friction_corpus.SAME:
                 return "%s and %s differ: energy %.1e, contacts %.1e" % (kernels[0], kernel, energy, contacts)
     shutil.rmtree(folder)

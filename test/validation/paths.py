@@ -7,18 +7,18 @@ from runfiles import contact, fields, placeAt, steps, summary
 
 
 def path_value(folder, _, column, time, since=None):
-    """A column of steps.csv at a time, less that at an earlier one."""
+    """A column of steps.csv at a time, minus its value at an earlier time."""
     table = steps(folder)
     return float(table[column][placeAt(table, time)] - (table[column][placeAt(table, since)] if since is not None else 0.0))
 
 
 def path_ratio(folder, _, column, over, time):
-    """A column of steps.csv over another one."""
+    """Ratio of two columns of steps.csv."""
     return path_value(folder, None, column, time) / path_value(folder, None, over, time)
 
 
 def path_meanDisplacement(folder, _, time, x, component=0):
-    """Mean displacement of the nodes with that x."""
+    """Mean displacement of the nodes with the given x."""
     f = fields(folder, placeAt(steps(folder), time))
     return float(f.point["Displacement"][np.abs(f.points[:, 0] - x) < 1e-9 * max(1.0, abs(x)), component].mean())
 
@@ -32,7 +32,7 @@ def atTimes(folder, reference):
 
 
 def path_forceDifference(folder, reference, times=1, angle=0):
-    """Largest |f - times R f_reference| of the contacts' forces at all Times over the largest |times f_reference|; plane scenes may be turned."""
+    """Largest |f - times R f_reference| of the contacts' forces at all Times over the largest |times f_reference|; 2D scenes may be rotated."""
     a, b, here, there = atTimes(folder, reference)
     c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
     turn = times * np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
@@ -78,7 +78,7 @@ def stuck(share, balls=False):
 class Mindlin:
     """Traction over mu p0 after pushes, in order of x: `x` and `r` over a, `found` along x and y, `exact`, `widths` of stick over a.
 
-    \\param turns  ends of the pushes, one after the other in opposite directions; the last is the time that is looked at
+    \\param turns  ends of the successive pushes in opposite directions; the last one is the evaluated time
     """
 
     def __init__(self, folder, turns, mu=0.3, balls=False, **options):
@@ -93,7 +93,7 @@ class Mindlin:
         self.exact, self.widths, last = np.zeros(len(order)), [], 0.0
         for turn in turns:
             tangential = touching(table, placeAt(table, turn), mu=mu, balls=balls, **options)[1]
-            times = 2 if self.widths else 1  # after a turn slip goes against the slip before: twice the traction
+            times = 2 if self.widths else 1  # after a reversal slip opposes the previous slip: twice the traction
             change, last = (tangential - last) / times, tangential
             k = stuck(change / (mu * normal), balls)
             self.widths.append(k)
@@ -102,8 +102,8 @@ class Mindlin:
 
 
 def path_mindlinError(folder, _, turns, beside=1.5, **options):
-    """Largest deviation of the traction along x over mu p0, but `beside` pairs from the ends of contact and stick, where its slope is
-    infinite."""
+    """Largest deviation of the traction along x over mu p0, except within `beside` pairs of the ends of contact and stick, where its slope
+    is infinite."""
     m = Mindlin(folder, turns, **options)
     step = np.min(np.diff(m.x[m.middle]))
     far = np.all([np.abs(m.r - end) > beside * step for end in (1.0, *m.widths)], axis=0)
@@ -116,21 +116,21 @@ def path_mindlinAcross(folder, _, turns, **options):
 
 
 def path_mindlinTraction(folder, _, turns, at, **options):
-    """Traction over mu p0 at a place x/a on the line of the push, linear between pairs."""
+    """Traction over mu p0 at x/a on the line of the push, interpolated linearly between pairs."""
     m = Mindlin(folder, turns, **options)
     return float(np.interp(at, m.x[m.middle], m.found[m.middle, 0]))
 
 
 def path_mindlinStick(folder, _, turn, **options):
-    """c/a after the first push by the traction in the middle, q(0) = mu p0 (1 - c/a), over that of the formula at the forces found."""
+    """c/a after the first push from the traction at the centre, q(0) = mu p0 (1 - c/a), over the formula's value at the computed forces."""
     m = Mindlin(folder, [turn], **options)
     return float((1 - m.found[np.argmin(m.r), 0]) / m.widths[0])
 
 
 def path_mindlinDissipation(folder, _, time, since=None, mu=0.3, balls=False, shear=1 / 2.6, poisson=0.3, radius=1.0, **options):
-    """Dissipated work over the integral of mu p times the slip. Slip of a virgin contact where it slips: of half planes, from their
-    integral equation, (mu / R) (x sqrt(x^2 - c^2) - c^2 arcosh(x / c)) / 2; of half spaces, its mean round a circle, from the superposition
-    of two contacts that slip wholly. Twice that, of half the change of force, after a turn."""
+    """Dissipated work over the integral of mu p times the slip. Slip of a virgin contact where it slips: of half planes, from the
+    integral equation, (mu / R) (x sqrt(x^2 - c^2) - c^2 arcosh(x / c)) / 2; of half spaces, the mean around a circle, from the
+    superposition of two fully slipping contacts. After a reversal: twice the slip for half the change of force."""
     table = steps(folder)
     place = placeAt(table, time)
     normal, tangential, a, most = touching(table, place, mu=mu, balls=balls, radius=radius, **options)
@@ -152,8 +152,8 @@ def path_mindlinDissipation(folder, _, time, since=None, mu=0.3, balls=False, sh
 
 
 def path_mindlinApproach(folder, _, times, mu=0.3, balls=True, shear=1 / 2.6, poisson=0.3, **options):
-    """Largest deviation of the approach of two balls along the push from Mindlin's over that, for first pushes: 3 mu P (2 - nu) / (8 G a)
-    (1 - (1 - Q / mu P)^(2/3)). The grip's way has one more part, in proportion to Q, since bodies are finite: the least squares find it."""
+    """Largest relative deviation of the approach of two balls along the push from Mindlin's formula, for first pushes: 3 mu P (2 - nu) / (8 G a)
+    (1 - (1 - Q / mu P)^(2/3)). The grip's displacement has an additional part proportional to Q, because bodies are finite; it is fitted by least squares."""
     table = steps(folder)
     places = [placeAt(table, time) for time in times]
     forces, expected, ways = [], [], []

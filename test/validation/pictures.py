@@ -1,4 +1,4 @@
-"""Pictures of validation runs: the pressure found along the contact line, against the analytic curve."""
+"""Pictures of validation runs: computed pressure along the contact line and analytic curve."""
 import math
 
 import matplotlib
@@ -12,7 +12,7 @@ import figures  # noqa: E402
 
 
 def draw(picture, runs, path):
-    """Draws an entry of "pictures" (validate.py) into the file `path`; `runs` by the names of their cases."""
+    """Draws an entry of "pictures" (validate.py) into the file `path`; `runs` by case name."""
     figure, axes = plt.subplots(figsize=(7, 4.2), dpi=100)
     marks = iter("o+x^vs*d")
     name = picture.get("x", "x")

@@ -1,4 +1,4 @@
-"""What the files of a run hold: fields of bodies and of contact, summary.json; and rotations by which scenes are turned."""
+"""Contents of the files of a run: fields of bodies and contact, summary.json; and rotations of scenes."""
 import csv
 import glob
 import json
@@ -9,11 +9,11 @@ import h5py
 import numpy as np
 
 
-VTK_DIMENSIONS = {1: 0, 3: 1, 21: 1, 5: 2, 9: 2, 22: 2, 23: 2, 28: 2}  # of VTK's types of cells; all others are solids
+VTK_DIMENSIONS = {1: 0, 3: 1, 21: 1, 5: 2, 9: 2, 22: 2, 23: 2, 28: 2}  # VTK cell types; all others are solids
 
 
 class Fields:
-    """One VTKHDF file with the pieces of all ranks joined. `dimension`: of the scene, that of the cells or, of contact, one more."""
+    """One VTKHDF file with the pieces of all ranks joined. `dimension` of the scene: dimension of the cells or, for contact, one more."""
 
     def __init__(self, path, codimension=0):
         with h5py.File(path, "r") as file:
@@ -36,7 +36,7 @@ class Fields:
 
 
 def ofStep(folder, kind, place):
-    """Path of the fields of a load step, by its place from 0 on, or of the last one."""
+    """Path of the fields of a load step, by index from 0, or of the last one."""
     return os.path.join(folder, f"{kind}_{place:04d}.vtkhdf") if place is not None else max(glob.glob(os.path.join(folder, f"{kind}_*.vtkhdf")))
 
 
@@ -56,7 +56,7 @@ def steps(folder):
 
 
 def placeAt(table, time):
-    """Place of the load step that ends at a time."""
+    """Index of the load step that ends at a time."""
     at = int(np.argmin(np.abs(table["time"] - time)))
     if abs(table["time"][at] - time) > 1e-9 * abs(time):
         raise ValueError(f"no load step ends at {time}")
@@ -64,14 +64,14 @@ def placeAt(table, time):
 
 
 def ofBodies(f, values):
-    """[(places, values)] of the nodes of each body; bodies share no node."""
+    """[(points, values)] of the nodes of each body; bodies share no node."""
     body = f.cell["Body"].astype(int)
     return [(f.points[nodes], values[nodes]) for nodes in
             (np.unique(np.concatenate([f.cells[i] for i in np.flatnonzero(body == b)])) for b in np.unique(body))]
 
 
 def rotation(dimension, angle=0, axis=(0, 0, 1)):
-    """Matrix of a turn by so many degrees, in space about an axis of any length (Rodrigues)."""
+    """Rotation matrix for an angle in degrees, in 3D about an axis of any length (Rodrigues)."""
     c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
     if dimension == 2:
         return np.array([[c, -s], [s, c]])
@@ -90,7 +90,7 @@ def summary(folder):
 
 
 def hooke(folder, f):
-    """Matrix D of every cell in plane strain or plane stress, from the scene's materials (Regions are not looked at)."""
+    """Matrix D of every cell in plane strain or plane stress, from the scene's materials (Regions are ignored)."""
     scene = summary(folder)["parameters"]
     sheet = scene["Model"] == "Plane Stress"
     laws = []

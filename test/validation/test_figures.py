@@ -1,6 +1,5 @@
 #!/usr/bin/python3
-"""Figures of scenes in space and of load steps on files whose content is known: exact where the fields are, wrong by what was put in, unmoved
-by a turn."""
+"""Figures of 3D scenes and load steps on files of known content: exact for exact fields, off by a planted error, invariant under rotation."""
 import math
 import os
 import sys
@@ -22,7 +21,7 @@ def check(name, found, expected, tolerance=1e-12):
 
 
 def write(path, kind, points, cells, point=None, cell=None):
-    """A file of one piece as suture_solve writes it."""
+    """A one-piece file in suture_solve's format."""
     with h5py.File(path, "w") as file:
         root = file.create_group("VTKHDF")
         for name, value in (("NumberOfPoints", len(points)), ("NumberOfCells", len(cells)), ("NumberOfConnectivityIds", np.size(cells))):
@@ -35,7 +34,7 @@ def write(path, kind, points, cells, point=None, cell=None):
 
 
 def blocks(random, per=40):
-    """Points and cells of two clouds of tetrahedra that share no point: the lower half of a column and the upper one."""
+    """Points and cells of two clouds of tetrahedra without common points: the lower and the upper half of a column."""
     points = random.random((2 * per, 3)) * [1, 1, 0.5]
     points[:per, 2] -= 0.5
     cells = np.concatenate([np.arange(per).reshape(-1, 4), per + np.arange(per).reshape(-1, 4)])
@@ -43,7 +42,7 @@ def blocks(random, per=40):
 
 
 def patch(folder, factor=1.0):
-    """Uniform contraction of both blocks, E = 2e6 below and 4e6 above, turned; stresses are wrong by `factor`."""
+    """Uniform contraction of both blocks, E = 2e6 below and 4e6 above, rotated; stresses are wrong by `factor`."""
     r = figures.rotation(3, ANGLE, AXIS)
     points, cells, body = blocks(np.random.default_rng(1))
     young = np.where(points[:, 2] > 0, 4e6, 2e6)
@@ -57,7 +56,7 @@ def patch(folder, factor=1.0):
 
 def pushed(folder, factor=1.0):
     """Half planes with a = 1, p0 = 1 and mu = 1, that is P = pi / 2 and all modulus / radius = 2: pushed to P / 2 at t = 1, and at t = 2 back to
-    -P / 2 and at t = 3 to P. Tractions are exact but for `factor`; the work is that of the full slip from 0 to P at t = 3."""
+    -P / 2 and at t = 3 to P. Tractions are exact except for `factor`; the work is that of the full slip from 0 to P at t = 3."""
     normal = math.pi / 2
     x = np.linspace(-1.2, 1.2, 97)
     c = math.sqrt(0.5)
@@ -76,7 +75,7 @@ def pushed(folder, factor=1.0):
 
 def pushedBalls(folder, factor=1.0):
     """The half of half spaces with a = 1, p0 = 1 and mu = 1, that is P = 2 pi / 3 and radius / modulus = 2 / pi; G = 1, nu = 0. Pushed to
-    7/8 P at t = 1 (c = 1/2), at t = 2 back to -7/8 P and at t = 3 to P, by a grip that yields by a tenth of the force. Exact but for
+    7/8 P at t = 1 (c = 1/2), at t = 2 back to -7/8 P and at t = 3 to P, by a grip of compliance 0.1. Exact except for
     `factor`; the work is that of the full slip, r^2 / 2 of the approach."""
     normal = 2 * math.pi / 3
     approach = 3 * normal * 2 / 8
@@ -98,7 +97,7 @@ def pushedBalls(folder, factor=1.0):
 
 
 def moved(folder, order, length=1.0, times=1.0, shift=(0, 0, 0), angle=0.0):
-    """A solution by chance in an order of its own, turned, scaled and moved; forces on a piece of the surface."""
+    """A random solution in a random order, rotated, scaled and moved; forces on a piece of the surface."""
     random = np.random.default_rng(2)
     points, cells, body = blocks(random)
     u, forces = random.standard_normal((len(points), 3)), random.random(len(points))
@@ -166,7 +165,7 @@ with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
     largest = np.abs(np.outer(*[figures.rotation(3, **turn)[:, 2]] * 2)).max()
     check("stress wrong by a hundredth", figures.figure("patch.stressError", one, **turn), 0.01 * largest)
     if not figures.figure("patch.contractionError", one, below=2e6, above=4e6, **turn) > 1e-3:
-        wrong.append("a displacement that is wrong by a hundredth passes")
+        wrong.append("a displacement with an error of 1 % passes")
 
     moved(one, np.random.default_rng(3))
     moved(two, np.random.default_rng(4), length=1000.0, times=7.0, shift=(1700, -500, 900), angle=ANGLE)
@@ -174,7 +173,7 @@ with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
     for name in ("displacement", "force"):
         check(f"metamorphic {name}", figures.figure(f"metamorphic.{name}", two, one, times=7, **motion), 0, 1e-10)
         if not figures.figure(f"metamorphic.{name}", two, one, times=7.001, **motion) > 1e-5:
-            wrong.append(f"metamorphic {name} does not see a thousandth")
+            wrong.append(f"metamorphic {name} does not detect 0.1 %")
     check("metamorphic status", figures.figure("metamorphic.status", two, one, **motion), 0)
     check("places that were not turned back", figures.figure("metamorphic.displacement", two, one, times=7, length=1000), math.inf)
 
@@ -187,5 +186,5 @@ with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
     r = figures.rotation(3, 90, (0, 0, 2))
     check("a quarter turn about z", float(np.abs(r - [[0, -1, 0], [1, 0, 0], [0, 0, 1]]).max()), 0)
 
-print("\n".join(wrong) or "figures in space and of paths as expected")
+print("\n".join(wrong) or "figures in 3D and of paths as expected")
 sys.exit(bool(wrong))

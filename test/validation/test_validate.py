@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""validate.py fails when it must: it is run on a false suture_solve whose answer depends on a known step."""
+"""validate.py fails when it must: it runs a fake suture_solve whose result depends on a known step."""
 import json
 import os
 import subprocess
@@ -66,7 +66,7 @@ with tempfile.TemporaryDirectory() as folder:
         code, text = run(content, words)
         if (code == 0) != passes:
             wrong.append(f"{name}: returned {code}\n{text}")
-    # The table of --record passes as it is, and fails when the numbers change.
+    # The table from --record passes unchanged, and fails when the numbers change.
     banded = table(D=case(0.2, checks=[{"key": "u", "value": 2.0, "relative": 0.1}]))
     code, text = run(banded, ["--record"])
     with open(checks) as file:
@@ -83,9 +83,9 @@ with tempfile.TemporaryDirectory() as folder:
         wrong.append(f"changed after recording: returned {code}\n{text}")
     with open(os.path.join(output, "validation.json")) as file:
         if json.load(file)["failed"] != 1 or "drifted" not in open(os.path.join(output, "validation.md")).read():
-            wrong.append("the page does not tell of the drift")
+            wrong.append("the page does not report the drift")
 
-    # The corpus: all well, a scene that failed, a program that ends early, one that crashes after its table.
+    # The corpus: success, a scene that failed, a program that ends early, one that crashes after its table.
     corpora = {"well": ("family method\nall groups", 0, True), "lost": ("7 tray groups lost\n\nfamily method", 1, False),
                "silent": ("", 0, False), "crash": ("family method", 139, False)}
     for name, (printed, code, passes) in corpora.items():

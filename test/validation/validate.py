@@ -6,16 +6,16 @@
 
 Every folder input/validation/<case>/ has a checks.json: a table of cases as test/drivers/check_run.py describes it, and more:
 
-    title, source   what is validated, and where the reference comes from
+    title, source   subject of the validation, and origin of the reference
     cases           of check_run.py; besides: "short": true, also run with --short; "ranks" (2); "size", mesh size for orders (unknowns^-1/2);
-                    "about", a few words for the page
+                    "about", a short text for the page
     orders          [{"figure" or "key", "options", "cases": [names, coarse to fine], "value" (exact; 0), "min", "today", "source"}]:
                     the slope of log |found - exact| over log size, fitted through all the cases
     pictures        [{"file", "x": "x" or "y" or "arc", "runs": {label: case}, "curve": a function of pictures.py, "options"}]
 
---corpus also runs so many random scenes (corpus.py), on 1 and 2 ranks.
---short runs the cases marked so, each folder's smallest. --record writes the values found into checks.json as "today", where a check
-that passed its reference has that entry or none yet. Exit code: 0, or 1 if a check failed.
+--corpus also runs --scenes random scenes (corpus.py) on 1 and 2 ranks.
+--short runs only the cases marked "short", each folder's smallest. --record writes the values found into checks.json as "today", for
+checks with a tolerance, or with a "today", that passed their reference. Exit code: 0, or 1 if a check failed.
 """
 import argparse
 import contextlib
@@ -36,7 +36,7 @@ import corpus  # noqa: E402
 
 
 def valueIn(run, wanted):
-    """The value of a key or figure that a run was not necessarily checked for."""
+    """Value of a key or figure, also of one without a check."""
     if "key" in wanted:
         return check_run.evaluate(run["summary"], wanted["key"])
     import figures
@@ -45,7 +45,7 @@ def valueIn(run, wanted):
 
 
 def order(wanted, table, runs):
-    """The fitted order of convergence, judged as a check is."""
+    """The fitted order of convergence, evaluated like a check."""
     names = wanted["cases"]
     exact = wanted.get("value", 0.0)
     points = []
@@ -140,7 +140,7 @@ def rows(table):
 
 
 def section(folder, report, scenes):
-    """The part of the page about one folder; `scenes`: where that is, seen from the page."""
+    """Section of the page for one folder; `scenes`: path to the folder, relative to the page."""
     lines = [f"## {report['title']}", "", f"Reference: {report['source']} ([{folder}]({scenes}/{folder}/README.md))", ""]
     table = [["case", "figure", "value", "reference", "tolerance", "error", "unknowns", "ranks", "seconds", ""]]
     for name, run in report["cases"].items():
@@ -151,7 +151,7 @@ def section(folder, report, scenes):
                           f"{run['unknowns']:,}" if first and run["unknowns"] else "", str(run["ranks"]) if first else "",
                           f"{run['seconds']:.1f}" if first else "", "**failed**: " + check["wrong"] if check["wrong"] else "ok"])
             first = False
-        if first:  # did not come to its checks
+        if first:  # did not reach its checks
             table.append([name, "", "", "", "", "", "", str(run["ranks"]), f"{run['seconds']:.1f}", "**failed**: " + "; ".join(run["failures"])])
     lines += rows(table) + [""]
     if report["orders"]:
@@ -187,7 +187,7 @@ def page(result, scenes):
 
 
 def validate(folder, options, counter):
-    """All cases of one folder: what goes into validation.json, and prints a line for each."""
+    """Runs all cases of one folder, prints one line each, and returns their entry of validation.json."""
     path = os.path.join(options.input, folder, "checks.json")
     with open(path) as file:
         table = json.load(file)
@@ -232,7 +232,7 @@ def validate(folder, options, counter):
         print(f"{'':9} {folder:18} order of {name}: {number(result['value'])}" + (f"   {result['wrong']}" if result["wrong"] else ""), flush=True)
     for picture in table.get("pictures", []):
         if all(n in runs and not runs[n]["failures"] for n in picture["runs"].values()):
-            import pictures  # matplotlib takes its second
+            import pictures  # importing matplotlib takes a second
 
             pictures.draw(picture, runs, os.path.join(options.output, folder, picture["file"]))
             report["pictures"].append(picture["file"])

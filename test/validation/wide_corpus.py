@@ -1,5 +1,5 @@
-"""Random scenes of all kinds (wide_scenes.py) on one rank and on three, and by Monolithic: no hang, no bug, one exit code on any number of ranks,
-and the same energy and forces. A scene that one solver cannot solve is lost: counted, no failure.
+"""Random scenes of all kinds (wide_scenes.py) on one rank and on three, and by Monolithic: no hang, no bug, the same exit code, energy
+and forces on any number of ranks. A scene that one solver cannot solve is lost: counted, but not a failure.
 
   wide_corpus.py --solve build/drivers/suture_solve --output out --count 40 --first 1 --mpirun "mpirun --oversubscribe"
 """
@@ -20,7 +20,7 @@ FAILED = ("hang", "bug", "exit codes differ", "WRONG")
 
 
 def judge(scene, one, three, reference):
-    """The class of a scene by its runs, and a remark."""
+    """Class of a scene from its runs, and a remark."""
     runs = {"1 rank": one, "3 ranks": three, "Monolithic": reference}
     for name, run in runs.items():
         if run.code == "hang":
@@ -32,14 +32,14 @@ def judge(scene, one, three, reference):
     solved = [run for run in runs.values() if run.solved]
     if not solved:
         return ("refused" if one.code == 3 else "not determined" if "NOT DETERMINED" in one.text else "no solver"), one.failure[:200]
-    rounding = 1e-9 * scene.load * scene.stress * scene.length ** (scene.d - 1)
-    worst = [max(values) for values in zip(*(friction_corpus.apart(solved[0], run, rounding) for run in solved))]
+    negligible = 1e-9 * scene.load * scene.stress * scene.length ** (scene.d - 1)
+    worst = [max(values) for values in zip(*(friction_corpus.apart(solved[0], run, negligible) for run in solved))]
     remark = "energy %.1e, contacts %.1e, pairs %.1e" % tuple(worst)
     if max(worst) > SAME:
-        # A step that a solver does not find is halved, and the answer with friction is that of the path with this step in it.
+        # A step that is not solved is halved; the solution with friction depends on the steps of the path.
         if len({tuple(step["time"] for step in (run.summary.get("load_steps") or {"steps": []})["steps"]) for run in solved}) > 1:
             return "other load steps", remark
-        # Bounds without pressure are lost where a pair opens, and large coefficients have several answers.
+        # Bounds without pressure are lost where a pair opens, and large coefficients allow several solutions.
         laws = [contact["law"] for contact in scene.contacts]
         opens = any(run.summary["contact"]["active"] < run.summary["contact"]["pairs"] for run in solved)
         several = (max(run.outer.get("estimates", {}).get("contraction", 0.0) for run in solved) >= 1.0 or max(law.mu for law in laws) > 1.0

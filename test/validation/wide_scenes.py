@@ -9,7 +9,7 @@ LAWS = ["Coulomb"] * 5 + ["Frictionless"] * 4 + ["Coulomb cohesion", "Tresca", "
 
 
 class WideScene(Scene):
-    """A scene whose bodies have materials of their own: isotropic, nearly incompressible, orthotropic."""
+    """A scene with a random material per body: isotropic, nearly incompressible, orthotropic."""
 
     def __init__(self, seed, dimension=None):
         super().__init__(seed, dimension)
@@ -31,7 +31,7 @@ class WideScene(Scene):
                 '  <Parameter name="Angle" type="double" value="%.17g"/>' % (37 * (self.seed % 5)), "</ParameterList>"]
 
     def cycle(self, place=-1, steps=None):
-        """The condition at a place of the list comes in steps: to and fro, through zero, back to zero."""
+        """Gives the condition at index `place` random load factors: to and fro, through zero, back to zero."""
         r = self.random
         count = steps or r.randint(3, 5)
         self.times = self.times or [float(k + 1) for k in range(count)]
@@ -65,7 +65,7 @@ def cycle(scene):
 
 
 def table(scene):
-    """A plate that lies on feet: more of them than statics needs."""
+    """A plate on more feet than statics needs."""
     r = scene.random
     feet, thick, depth = r.randint(2, 4), r.uniform(0.2, 0.5), r.uniform(0.6, 1.2)
     layers = scene.cells(1, r.randint(5, 8))[1]
@@ -86,7 +86,7 @@ def table(scene):
 
 
 def shrink_fit(scene):
-    """A ring on a shaft that is too thick for it, a quarter of both."""
+    """A quarter of a ring shrunk on an oversized shaft."""
     r = scene.random
     inner, outer, n = r.uniform(0.3, 0.6), r.uniform(1.4, 2.5), r.randint(6, 14)
     sides = {"s0": "inside", "s1": "outside", "t0": "bottom", "t1": "left"}
@@ -110,7 +110,7 @@ def shrink_fit(scene):
 
 
 def bolt(scene):
-    """Two plates beside each other under the head of a bolt that is preloaded; its shank is glued to the ground."""
+    """Two adjacent plates under the head of a preloaded bolt, whose shank is glued to the ground."""
     r = scene.random
     head, shank, high, depth = r.uniform(0.8, 1.2), r.uniform(0.3, 0.5), r.uniform(0.5, 1.0), r.uniform(0.6, 1.0)
     layers, n = scene.cells(1, r.randint(5, 7))[1], r.randint(3, 6)
@@ -149,7 +149,7 @@ def bolt(scene):
 
 
 def wall(scene):
-    """Bricks in running bond, each of the upper row on two others; their weight, and a little push."""
+    """Bricks in running bond, each of the upper row on two others; loads are weight and a small push."""
     r = scene.random
     rows, across, depth = 2, r.randint(2, 4), 0.8
     cells, layers = scene.cells(r.choice([4, 6]), r.randint(2, 3)), 2
@@ -192,7 +192,7 @@ def glued(scene):
 
 
 def mean(scene):
-    """A block on another one, whose top has a prescribed mean displacement."""
+    """A block on another; its top has a prescribed mean displacement."""
     r = scene.random
     width, height, depth = r.uniform(0.6, 1.5), r.uniform(0.4, 0.9), r.uniform(0.6, 1)
     scene.box("base", (-1.2, 1.2), (-0.6, 0), scene.cells(r.randint(8, 16), r.randint(2, 4)), depth=depth)
@@ -216,5 +216,5 @@ FAMILIES = [(stack, 3), (cycle, 2), (table, 2), (shrink_fit, 2), (bolt, 2), (wal
 
 
 def scene(seed, family=None, dimension=None):
-    """The scene of a seed."""
+    """Returns the scene for a seed."""
     return fill(WideScene(seed, dimension), FAMILIES, family)

@@ -8,9 +8,11 @@
 
 namespace suture {
 
-double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) {
-  if (!prescribesMotion(comm, meshes) && !hasGaps(comm, meshes)) return 0.0;
-  const auto carry = [&](const BodyParts& parts) { return carriedMotions(comm, meshes, model, parts); };
+double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints,
+                   bool carriesFreeBodies) {
+  if (!prescribesMotion(comm, meshes) && !(carriesFreeBodies && hasGaps(comm, meshes))) return 0.0;
+  CarriedMotions carry;
+  if (carriesFreeBodies) carry = [&](const BodyParts& parts) { return carriedMotions(comm, meshes, model, parts); };
   if (!takeOutRigidMotions(comm, meshes, carry)) return 0.0;
   int has = !constraints.rules.empty();
   Teuchos::broadcast(comm, 0, 1, &has);

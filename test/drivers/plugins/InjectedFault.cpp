@@ -1,7 +1,6 @@
-// Exceptions of one rank, anywhere in a run, without a line of code for them in the product: this library is loaded before the others
-// (LD_PRELOAD). It replaces the beginning of a phase (Timers::Scope), and stands before MPI's functions (the profiling interface PMPI) and
-// before collectively(). See injected.py.
-//   SUTURE_TEST_FAULT="phase place number rank kind"   place phase: as it begins (number 0); message: before its n-th communication on that
+// Throws exceptions on one rank, anywhere in a run, without test code in the product: this library is preloaded (LD_PRELOAD). It replaces
+// the begin of a phase (Timers::Scope) and wraps MPI's functions (the profiling interface PMPI) and collectively(). See injected.py.
+//   SUTURE_TEST_FAULT="phase place number rank kind"   place phase: at its begin (number 0); message: before its n-th communication on that
 //                                                      rank; work: in the n-th local work that ends collectively
 //                                                      kind stop: no exception, but a SIGTERM, and the next phase begins after six seconds
 //   SUTURE_TEST_COUNTS=FILE                            lines "rank phase messages works" in FILE.<rank> when MPI ends
@@ -56,7 +55,7 @@ struct Fault {
  private:
   Fault() {
     if (const char* wanted = std::getenv("SUTURE_TEST_FAULT")) std::istringstream(wanted) >> phase >> place >> number >> rank >> kind;
-    unsetenv("LD_PRELOAD");  // programs that the run starts go without
+    unsetenv("LD_PRELOAD");  // child programs run without the library
   }
   void reach(const char* here, int count) {
     if (thrown || now != phase || here != place || count != number) return;
@@ -109,7 +108,7 @@ void collectively(const Comm& comm, const std::string& what, const std::function
   }
 
 extern "C" {
-// The ranks settle how the run has ended (MeetingPoint): no phase any more.
+// The ranks agree on the outcome of the run (MeetingPoint): no longer a phase.
 int MPI_Iallreduce(const void* in, void* out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm, MPI_Request* request) {
   Fault::instance().over();
   return PMPI_Iallreduce(in, out, n, type, op, comm, request);

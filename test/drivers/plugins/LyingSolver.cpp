@@ -1,5 +1,5 @@
-// An outer solver that lies: it solves the problem, disturbs the trace at one node and says that it has converged. The verdict of the run
-// must not believe it. See lies.py.
+// An outer solver with a false report: it solves the problem, perturbs the trace at one node and reports convergence. The verdict of the
+// run must find the error. See lies.py.
 #include <suture/solver/OuterSolver.hpp>
 
 #include <Teuchos_CommHelpers.hpp>

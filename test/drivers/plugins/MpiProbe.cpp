@@ -1,6 +1,5 @@
-// The environment as MPI sees it when it begins, and as it is left (mpi_start.py): loaded before the others (LD_PRELOAD).
-//   SUTURE_TEST_PROBE=FILE   a line "init|after pml=VALUE isolated=VALUE" each, from the process of rank 0; - for a variable that is not
-//   set
+// Records the environment at MPI_Init and afterwards (mpi_start.py); preloaded (LD_PRELOAD).
+//   SUTURE_TEST_PROBE=FILE   one line "init|after pml=VALUE isolated=VALUE" for each, from rank 0; - for an unset variable
 #include <mpi.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Suture inside another program: it has a communicator of its own (each rank solves by itself), takes the scene from memory and keeps the
-// console silent. The patch test: one block pressed on another with u_y = -0.1; the pressure is 1e5 everywhere.
+// Suture inside another program with its own communicator (each rank solves separately), a scene in memory and no console output. The
+// patch test: one block pressed on another with u_y = -0.1; the pressure is 1e5 everywhere.
 #include <suture/base/Errors.hpp>
 #include <suture/base/Version.hpp>
 #include <suture/base/scene/SceneReader.hpp>
@@ -43,7 +43,7 @@ const char* const scene = R"xml(<ParameterList name="Suture">
   <ParameterList name="Outer Solver"><Parameter name="Tolerance" type="double" value="1e-12"/></ParameterList>
 </ParameterList>)xml";
 
-// Only what this program needs of a scene: no output, no title.
+// Only the scene parameters that this program needs: no output, no title.
 suture::Schema schema() {
   suture::Schema scene("a contact problem");
   scene.list("Mesh", suture::meshSchema(), true);
@@ -82,7 +82,7 @@ double worstPressureError(const suture::CommPtr& comm) {
 int main(int argc, char* argv[]) {
   Tpetra::ScopeGuard scope(&argc, &argv);
   try {
-    // A library that talks to MPI_COMM_WORLD behind our back would hang here, or count the other rank's subdomains.
+    // A library that used MPI_COMM_WORLD would hang here, or count the other rank's subdomains.
     const double error = worstPressureError(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF)));
     std::printf("Suture %s: largest relative error of the contact pressure %.1e\n", suture::version().c_str(), error);
     return error < 1e-9 ? 0 : 1;

@@ -1,4 +1,4 @@
-// Prints the version of the headers and that of the library. It knows of Suture what pkg-config tells and nothing more.
+// Prints the versions of headers and library. Built only with the flags from pkg-config.
 #include <suture/Version.hpp>
 #include <suture/base/Version.hpp>
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-/// A stand-in for preCICE 3 with the functions of Participant that an adapter of a solid calls, and the other program in one: in each of
-/// two windows it presses a mesh on -1 <= x <= 1 with 17 nodes down, in the first iteration by half, in the others in full. It refuses
-/// calls in an order that preCICE refuses, and prints the displacements of the last iteration.
+/// A substitute for preCICE 3 with the functions of Participant that a solid adapter calls, combined with the other program: in each of
+/// two windows it presses a mesh on -1 <= x <= 1 with 17 nodes down, with half the load in the first iteration and the full load in the
+/// others. It refuses calls in an order that preCICE refuses, and prints the displacements of the last iteration.
 namespace precice {
 
 using VertexID = int;
