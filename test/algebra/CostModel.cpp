@@ -50,7 +50,7 @@ TEUCHOS_UNIT_TEST(CostModel, PredictsFactorsWithinAThird) {
   }
 }
 
-// In the plane a dense inverse is cheaper than a factor for subdomains of usual size; in space the factor is, from a few thousand unknowns.
+// In 2D a dense inverse is cheaper than a factor for subdomains of usual size; in 3D the factor is cheaper from a few thousand unknowns.
 TEUCHOS_UNIT_TEST(CostModel, KnowsWhereDenseMatricesPay) {
   const auto ratio = [](int dimension, double cells) {
     const CostModel cost(dimension);

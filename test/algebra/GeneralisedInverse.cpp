@@ -29,7 +29,7 @@ TEUCHOS_UNIT_TEST(GeneralisedInverse, SolvesEveryBalancedLoadOfAFloatingBody) {
       Matrix x = b;
       inverse.apply(x);
       TEST_COMPARE(difference(s.stiffness() * x, b), <, 1e-11);
-      // against the pseudo-inverse: the same but for a rigid motion
+      // equal to the pseudo-inverse up to a rigid motion
       Matrix expected = leastSquares(s.stiffness().dense(), b);
       if (loose > 0) x = withoutSpan(s.kernel(), x);
       TEST_COMPARE(difference(x, expected), <, 1e-9);

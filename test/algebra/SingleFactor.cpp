@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(SingleFactor, SolvesToTheAccuracyOfADoubleOne) {
       factor.solve(SymmetricMatrix(k), x);
       TEST_EQUALITY(x.tail(trailing).norm(), 0.0);
       const Vector residual = (b - k * x).head(leading);
-      const Vector terms = (k.cwiseAbs() * x.cwiseAbs()).head(leading);  // terms that rounding in the residual is relative to
+      const Vector terms = (k.cwiseAbs() * x.cwiseAbs()).head(leading);  // scale of the residual's round-off
       TEST_COMPARE(residual.norm(), <, 1e-13 * terms.norm() + 1e-12 * b.head(leading).norm());
       TEST_COMPARE((x.head(leading) - expected.col(0)).norm(), <, 1e-9 * expected.norm());
       TEST_COMPARE(factor.bytes(), <, 0.55 * whole.statistics().bytes);

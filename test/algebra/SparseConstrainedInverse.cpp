@@ -147,7 +147,7 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, SaysWhereItIsNot) {
   const auto make = [&](const Matrix& c) {
     SparseConstrainedInverse(springs.stiffness, translation, springs.boundary, c, cholmod(), "it");
   };
-  Matrix difference = Matrix::Zero(1, n);  // tells nothing of the translation
+  Matrix difference = Matrix::Zero(1, n);  // does not fix the translation
   difference(0, 1) = 1.0, difference(0, 4) = -1.0;
   TEST_THROW(make(difference), NumericalError);
   Matrix twice = Matrix::Zero(3, n);

@@ -101,13 +101,13 @@ TEUCHOS_UNIT_TEST(UpdatedInverse, IsRefusedWhereItWouldBeInaccurate) {
   Matrix d = changed(n, {0, 1, 2, 3, 4, -1, -1});
   d.row(6) = d.row(5) + 1e-9 * d.row(0);
   TEST_ASSERT(UpdatedInverse::make(base(n, 1, 1.0), {0, 1, 2, 3, 4, -1, -1}, d) == nullptr);
-  // the same in single precision, of which rounding leaves more
+  // the same in single precision, which leaves more round-off
   Matrix large = changed(210, {0, 1, 2, 3, 4, -1});
   large.row(5) = large.row(1) - 2.0 * large.row(3);
   TEST_ASSERT(UpdatedInverse::make(base(210, 1, 0.0), {0, 1, 2, 3, 4, -1}, large) == nullptr);
   large.row(5) += 0.1 * random(1, 210, 6);
   TEST_ASSERT(UpdatedInverse::make(base(210, 1, 0.0), {0, 1, 2, 3, 4, -1}, large) != nullptr);
-  // an inverse of a user's that tells no energies
+  // a user's inverse that provides no energies
   const auto given = std::make_shared<Given>();
   given->phi = random(n, 2, 3);
   TEST_ASSERT(UpdatedInverse::make(given, {0, 1}, random(2, n, 4)) == nullptr);

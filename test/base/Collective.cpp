@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(Collective, BroadcastGivesRootsTextToAll) {
   TEST_ASSERT((values == std::vector<double>{1.5, 1.5, 1.5}));
 }
 
-/// A string of every length and content of its own, some empty.
+/// Strings of different length and content, some empty.
 std::string of(int rank) { return std::string(rank % 2 == 0 ? 3 * rank : 0, static_cast<char>('a' + rank)); }
 
 TEUCHOS_UNIT_TEST(Collective, GatherKeepsTheOrderOfRanks) {
@@ -166,7 +166,7 @@ TEUCHOS_UNIT_TEST(Collective, ScatterThatFailsHalfWayFailsEverywhere) {
 
 TEUCHOS_UNIT_TEST(Collective, MessagesLongerThanOneRoundArriveWhole) {
   const CommPtr comm = world();
-  const std::size_t length = (std::size_t(1) << 26) + 5;  // one round is 2^26 bytes a rank
+  const std::size_t length = (std::size_t(1) << 26) + 5;  // one round is 2^26 bytes per rank
   const int last = comm->getSize() - 1;
   std::string mine(comm->getRank() == last ? length : 2, static_cast<char>('a' + comm->getRank()));
   mine.back() = '!';
@@ -202,7 +202,7 @@ TEUCHOS_UNIT_TEST(Collective, SendFillsTheVectorOfAnotherRank) {
 TEUCHOS_UNIT_TEST(Collective, ExchangeSwapsStringsWithNeighboursOnly) {
   const CommPtr comm = world();
   const int rank = comm->getRank(), ranks = comm->getSize();
-  // a ring with itself; what goes from a to b says so, and is as long as a + 5 b, sometimes empty
+  // ring with itself; the text from a to b names both ranks and has the length a + 5 b, sometimes zero
   const auto text = [](int from, int to) {
     return std::string(from == 1 ? 0 : from + 5 * to, 'x') + (from == 1 ? "" : std::to_string(100 * from + to));
   };

@@ -182,7 +182,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, SaysWhatIsMissingAndWhatIsThere) {
   removeOnRoot(path);
 }
 
-// Each rank gives its rows in pieces of its own, and two datasets in turn.
+// Each rank writes its rows in pieces of different size, alternately to two datasets.
 TEUCHOS_UNIT_TEST(Hdf5File, TakesRowsPieceByPiece) {
   const CommPtr comm = world();
   const std::string path = nameOf("pieces");

@@ -206,7 +206,7 @@ TEUCHOS_UNIT_TEST(SceneReader, RefusesBadOverrides) {
 
 // Collective reading ----------------------------------------------------------------------------------------------------------------
 
-/// Message of readScene's error; says so if it is not the same on every rank.
+/// Message of readScene's error; a note instead if the message differs between ranks.
 std::string errorOfFile(const Comm& comm, const std::string& path, const std::vector<std::string>& overrides = {}) {
   std::string mine;
   try {

@@ -1,4 +1,4 @@
-// Pieces, rims, frames and rows of contacts in space.
+// Pieces, rims, frames and rows of 3D contacts.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <pairing/SpaceScenes.hpp>
 #include <suture/base/Point.hpp>

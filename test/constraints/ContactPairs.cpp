@@ -282,7 +282,7 @@ TEUCHOS_UNIT_TEST(ContactPieces, AreOneForLinesThatTouch) {
   TEST_EQUALITY(constraints.pieces[0].name, "east + west");
   TEST_EQUALITY(constraints.pairs.front().line, 0);
   TEST_EQUALITY(constraints.pairs.back().line, 1);
-  // the shared node is in two pairs: no axes of its own
+  // the shared node is in two pairs: Cartesian axes
   TEST_ASSERT(ruleAt(constraints, nodeAt(mesh, 0, 2, 1)) == nullptr);
   TEST_ASSERT(ruleAt(constraints, nodeAt(mesh, 0, 1, 1)) != nullptr);
 }

@@ -16,7 +16,7 @@ std::unique_ptr<ContactLaw> lawNamed(const std::string& name, const std::vector<
   return Registry<ContactLaw>::instance().make(name, constants, own);
 }
 
-/// Random trials of closed pairs, in the plane and in space, many of them near the cone.
+/// Random trials of closed pairs, in 2D and 3D, many of them near the cone.
 ContactTrial randomTrial(std::mt19937& random, int dimension) {
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   ContactTrial trial;
@@ -36,7 +36,7 @@ Point tangentialPart(const ContactState& state, const ContactTrial& trial) {
   return part;
 }
 
-// A projection p of t onto a convex set: (t - p).(q - p) <= 0 for all q of the set, here a disc (in the plane an interval).
+// p is the projection of t onto a convex set if (t - p).(q - p) <= 0 for all q of the set, here a disc (in 2D an interval).
 TEUCHOS_UNIT_TEST(FrictionLaws, StatesAreProjectionsOntoTheDisc) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, RefuseNegativeCoefficientsAndBounds) {
   TEST_THROW(lawNamed("Coulomb", {{"Coefficient", "mu"}}), InputError);
 }
 
-// A bound may be a function that the contact alone has values of: who asks for the normal direction alone does not need one.
+// The bound may be a function of place that only the contact can evaluate; it is not needed for the normal direction.
 TEUCHOS_UNIT_TEST(FrictionLaws, AskForNoBoundWithoutAPlace) {
   const auto law = lawNamed("Coulomb", {{"Coefficient", "sqrt(x - 1)"}});
   TEST_ASSERT(law->pressed().status == PairStatus::Stick);

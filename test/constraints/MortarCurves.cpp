@@ -198,7 +198,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, ReportsInterferenceAsDrawn) {
   if (!given.notes.empty()) SUTURE_CHECK_SAYS(given.notes[0], "given interference 1.0e-02");
   for (const Cell cell : {P1, P2})
     for (const double gap : {0.0, 0.1}) TEST_EQUALITY(build(twoRings(cell, gap), held, mortar()).notes.size(), 0u);
-  // Elements that cut into each other between nodes on one arc: an effect of the facets that were asked for, no interference.
+  // Elements on one arc that overlap between nodes: an effect of the facets, which the scene requested, no interference.
   TEST_EQUALITY(build(twoRings(P1, 0), held, withGeometry("Side A", "Facets")).notes.size(), 0u);
 }
 

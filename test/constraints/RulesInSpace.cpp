@@ -1,4 +1,4 @@
-// Nodal rules in space against dense least squares, symmetry and rotation.
+// 3D nodal rules against dense least squares, symmetry and rotation.
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <Teuchos_UnitTestHarness.hpp>

@@ -97,7 +97,7 @@ TEUCHOS_UNIT_TEST(Collapse, IsNamedByTheSearch) {
   }
 }
 
-// Statics knows these normal forces: an obstacle on the way may hold the body, and where the motion closes pairs nothing is said.
+// These normal forces follow from statics: an obstacle on the way may hold the body, and if the motion closes pairs nothing is reported.
 TEUCHOS_UNIT_TEST(Collapse, SaysNothingWhereBodiesMeetOthers) {
   std::mt19937 random(23);
   CondensedBody body = pressedBody(random, 2, 6);

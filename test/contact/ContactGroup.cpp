@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(ContactGroup, HoldsABodyByContactAlone) {
   all[0].y1 = 0;
   all[0].nx = all[1].nx = 4;
   all[0].ny = all[1].ny = 4;
-  all[0].blocksY = 2;  // the upper body is one subdomain, loose but for contact
+  all[0].blocksY = 2;  // the upper body is one subdomain, held by contact only
   Scene scene = scenes::fromBoxes(all, 100.0, 0.3);
   scene.pairUp();
   scene.holdNode(scene.constraints.pairs[2].ends[1].node, 0, 0.0);  // nor may it slide

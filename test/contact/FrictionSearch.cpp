@@ -119,7 +119,7 @@ TEUCHOS_UNIT_TEST(FrictionSearch, SaysThatABodySlidesAway) {
           TEST_EQUALITY(found.converged, push < 0.6);
           TEST_EQUALITY(found.slides.size() > 0, push > 0.6);
           if (found.slides.size() == 0) continue;
-          // Along the push: 3/5 and 4/5 in space, either sense.
+          // Along the push: 3/5 and 4/5 in 3D, either sign.
           TEST_EQUALITY(found.slides.size(), dimension);
           const Vector way = found.slides.normalized();
           TEST_COMPARE(std::abs(way(0)), <, 1e-8);
@@ -170,7 +170,7 @@ TEUCHOS_UNIT_TEST(FrictionSearch, KnowsTheBoundsOfPairsThatStickFromTheStart) {
   }
 }
 
-// One pair holds the body at first, where others would do; all 4^n states of n pairs tell whether any do.
+// One pair holds the body at first although others would do; trying all 4^n states of n pairs shows whether a solution exists.
 TEUCHOS_UNIT_TEST(FrictionSearch, LetsAnotherPairHoldABody) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -203,7 +203,7 @@ TEUCHOS_UNIT_TEST(FrictionSearch, LetsAnotherPairHoldABody) {
   TEST_COMPARE(solvable, >, 30);
 }
 
-// Strong friction, strongly coupled: all 4^n states of n pairs tell whether there is a solution.
+// Strong friction, strongly coupled: trying all 4^n states of n pairs shows whether there is a solution.
 TEUCHOS_UNIT_TEST(FrictionSearch, FindsASolutionOfFewPairsWhereThereIsOne) {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> value(-1.0, 1.0);

@@ -103,7 +103,7 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesLongStretchesToTheSigns) {
   }
 }
 
-// Bodies in space are no half-planes: the signs decide.
+// 3D bodies are no half-planes: the signs decide.
 TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesSurfacesToTheSigns) {
   const Parabola scene(40, 0.02);
   RigidContact::Pairs data = Parabola::data(40);

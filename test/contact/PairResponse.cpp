@@ -8,7 +8,7 @@ namespace {
 
 using scenes::dry;
 
-// Of nodes condensed to themselves the response is their stiffness, whatever gaps and loads are.
+// For nodes condensed to themselves the response is their stiffness, for any gaps and loads.
 TEUCHOS_UNIT_TEST(PairResponse, IsTheStiffnessOfTheNodes) {
   std::mt19937 random(18);
   for (int trial = 0; trial < 24; ++trial) {
@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(PairResponse, IsTheStiffnessOfTheNodes) {
   }
 }
 
-// A direction in which both sides are held has no compliance, along a tangent of its own or between two.
+// A direction in which both sides are held has no compliance, whether it is one of the tangents or lies between two.
 TEUCHOS_UNIT_TEST(PairResponse, KnowsDirectionsThatAreHeld) {
   std::mt19937 random(21);
   for (const double angle : {0.0, 0.7}) {

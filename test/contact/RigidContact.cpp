@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(RigidContact, NeutralMotionsAreThoseThatTouchingPairsDoNotStop
   TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 1, 1}).cols(), 0);  // between two that touch
 }
 
-/// A weak cluster beside a strong one: its equilibrium is no rounding of the other's. Pads have compliance 2 before start().
+/// A weak cluster next to a strong one: its equilibrium is not lost in the round-off of the other. Pads have compliance 2 before start().
 TEUCHOS_UNIT_TEST(RigidContact, SeparateClustersKeepTheirDigits) {
   const Matrix rows = Matrix::Identity(2, 2);
   for (const double weak : {1.0, 1e-12, 1e-30}) {

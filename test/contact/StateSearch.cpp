@@ -191,7 +191,7 @@ TEUCHOS_UNIT_TEST(StateSearch, KnowsTheBoundsOfPairsThatStickFromTheStart) {
   }
 }
 
-// One pair holds the body at first, where others would do; all 4^n states of n pairs tell whether any do.
+// One pair holds the body at first although others would do; trying all 4^n states of n pairs shows whether a solution exists.
 TEUCHOS_UNIT_TEST(StateSearch, LetsAnotherPairHoldABody) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -224,7 +224,7 @@ TEUCHOS_UNIT_TEST(StateSearch, LetsAnotherPairHoldABody) {
   TEST_COMPARE(solvable, >, 30);
 }
 
-// Strong friction, strongly coupled: all 4^n states of n pairs tell whether there is a solution.
+// Strong friction, strongly coupled: trying all 4^n states of n pairs shows whether there is a solution.
 TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionOfFewPairsWhereThereIsOne) {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> value(-1.0, 1.0);

@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(ElementStiffness, HasTheRigidModesAndNothingElseInItsNullSpace
     }
 }
 
-// Every cell, displacement and mixed, but for the mixed 3-node triangle, which there is not.
+// Every cell, displacement and mixed, except the mixed 3-node triangle, which does not exist.
 template <typename Take>
 void forEachElement(const Take& take) {
   for (Cell cell : sample::cells())

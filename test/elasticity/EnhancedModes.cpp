@@ -1,5 +1,5 @@
-// Enhanced strains: the patch test on distorted elements, bending in closed form, rank, and what is left when nu tends to 0.5. (More of
-// those in space: SolidStiffness. Initial states: InitialState and SolidLoads.)
+// Enhanced strains: the patch test on distorted elements, bending in closed form, rank, and the limit nu -> 0.5. (More 3D tests:
+// SolidStiffness. Initial states: InitialState and SolidLoads.)
 #include <Eigen/LU>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, ConstantStressesOfDistortedElementsAreExact) {
       const Vector expected = stiffness(block, {"m", 3.0, poisson}, plane) * u;
       TEST_COMPARE((stiffness(block, enhanced(3.0, poisson), plane) * u - expected).norm(), <, 1e-12 * expected.norm());
     }
-    // Of revolution: equal strains along the radius and the hoop.
+    // Axisymmetric: equal radial and hoop strains.
     const CellBlock ring = revolved(sample::distorted(Cell::Quadrilateral4), 0.2);
     const Vector u = nodal(ring, [](const Point& p) -> Point { return {0.7 * p[0], 0.9 * p[0] - 0.3 * p[1], 0.0}; });
     const Vector expected = stiffness(ring, {"m", 3.0, poisson}) * u;
@@ -172,7 +172,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, BendABrickOfAnyMaterialAsABeamDoes) {
 }
 
 TEUCHOS_UNIT_TEST(EnhancedModes, BendADiscAsAPlateDoes) {
-  // u = (r z, -r^2 / 2 - nu / (1 - nu) z^2): stresses E / (1 - nu) z along radius and hoop. Exact but for the mean of the radius.
+  // u = (r z, -r^2 / 2 - nu / (1 - nu) z^2): stresses E / (1 - nu) z along radius and hoop. Exact except for the mean of the radius.
   const double inner = 4.0, width = 1.0, height = 0.3, young = 3.0;
   for (const double nu : {0.0, 0.3, 0.4999}) {
     const CellBlock block = revolved(sample::axisParallel(Cell::Quadrilateral4, width, height), inner);

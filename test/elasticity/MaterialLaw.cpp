@@ -154,7 +154,7 @@ TEUCHOS_UNIT_TEST(MaterialLaw, RefusesWhatIsNoElasticMaterial) {
   TEST_ASSERT(says(messageOf(GivenLaw(c)), "not symmetric"));
   c = isotropicStiffness({1.0, 0.3});
   c(0, 4) = c(4, 0) = 0.1;
-  TEST_ASSERT(says(messageOf(GivenLaw(c)), ""));  // in space
+  TEST_ASSERT(says(messageOf(GivenLaw(c)), ""));  // 3D
   TEST_THROW(planePart(c), InputError);
   const Material coupled = materialOf(std::make_shared<GivenLaw>(c));
   TEST_THROW(HookesLaw<2>(coupled, PlaneModel::Strain), InputError);

@@ -1,4 +1,4 @@
-// Loads in space, on sides, volumes and mass, elastic supports and initial states: against closed forms, resultants and each other.
+// 3D loads on sides, volumes and mass, elastic supports and initial states: against closed forms, resultants and each other.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>

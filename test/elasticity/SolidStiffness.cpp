@@ -1,4 +1,4 @@
-// Element stiffness in space: against tractions on the elements' sides, closed forms, and what turns and incompressibility do.
+// 3D element stiffness: against tractions on the elements' sides and closed forms; effects of rotations and incompressibility.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/mesh/Generators.hpp>

@@ -201,7 +201,7 @@ TEUCHOS_UNIT_TEST(FrictionStates, ForcesAndSlipsAreThoseOfTheSaddlePointProblem)
       }
       TEST_COMPARE((values.force - force).norm(), <, 1e-8 * force.norm());
       TEST_COMPARE((values.jump - jump).norm(), <, 1e-10 * jump.norm());
-      // Values told of the pairs: Cartesian tangential forces of the same size, on the plane of the contact.
+      // Reported values of the pairs: Cartesian tangential forces of the same size, in the contact plane.
       const InterfaceProblem::Recovered found = one.problem.recover(state);
       double worst = 0.0;
       for (const PairForce& pair : found.pairs) {

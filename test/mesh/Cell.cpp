@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(Cell, EdgesAreThoseOfTheDrawingInTheOrderOfTheirMiddles) {
       TEST_ASSERT(edges.insert(std::minmax(a, b)).second && a < info.vertices && b < info.vertices && a != b);
       if (info.order == 2) TEST_COMPARE(distanceFromMean(block, info.vertices + static_cast<int>(e), {a, b}), <, 1e-14);
     }
-    // Euler: vertices - edges + sides = 2; in the plane as many edges as vertices.
+    // Euler: vertices - edges + sides = 2; in 2D there are as many edges as vertices.
     const int sides = static_cast<int>(info.sideNodes.size()), vertices = info.vertices;
     TEST_EQUALITY(static_cast<int>(edges.size()), info.dimension == 2 ? vertices : vertices + sides - 2);
   }

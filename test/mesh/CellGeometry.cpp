@@ -180,7 +180,7 @@ TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfCurvedElementsBetweenT
   }
 }
 
-// The grid is coarse in space: its least value lies above the true one by little more than the square of a step.
+// In 3D the grid is coarse: its least value exceeds the true one by little more than the square of a step.
 TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfBentCellsInSpace) {
   std::mt19937 random(7);
   for (const Cell cell : referencecells::solid) {

@@ -1,4 +1,4 @@
-// Elements that hold points: of every cell, straight and curved, in the plane and in space.
+// Search for the elements that contain points: all cells, straight and curved, in 2D and 3D.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <cmath>

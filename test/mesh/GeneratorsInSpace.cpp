@@ -1,4 +1,4 @@
-// Boxes in space, filled with every cell.
+// 3D boxes, meshed with every cell.
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Generators.hpp>

@@ -1,4 +1,4 @@
-// Surfaces that are known by hand: lines in the plane, and the faces of cubes in space.
+// Surfaces known by hand: lines in 2D, and the faces of cubes in 3D.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/Generators.hpp>

@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(DualBasis, HasTheKnownFunctionsOfTrianglesAndQuadrilaterals) {
                <, 1e-13);
 }
 
-// int psi_j chi_k = delta_jk int chi_k over the part alone, by a quadrature of its own; the psi add up to one.
+// int psi_j chi_k = delta_jk int chi_k over the part alone, by an independent quadrature; the psi add up to one.
 TEUCHOS_UNIT_TEST(DualBasis, IsBiorthogonalOverAPartOfASide) {
   for (const int nodes : {2, 3})
     for (const double end : {-0.9, -0.2, 0.4}) {

@@ -18,7 +18,7 @@ struct Sides {
   Surface surface(int dimension) const { return {dimension, points, nodes}; }
 };
 
-/// The same sides with other numbers, in another order, each beginning at another vertex where it may (in space).
+/// The same sides with other numbers, in another order; in 3D each may begin at another vertex.
 Sides shuffled(const Sides& sides, unsigned seed, int vertices = 0) {
   std::mt19937 engine(seed);
   std::vector<int> number(sides.points.size());
@@ -46,7 +46,7 @@ Sides facing(Sides sides, int vertices, const Point& by) {
   return sides;
 }
 
-/// nx x ny quadrilaterals of size one in the plane z = 0, of four, eight or nine nodes.
+/// nx x ny quadrilaterals of size one on z = 0, of four, eight or nine nodes.
 Sides grid(int nx, int ny, int order) {
   const int step = order == 4 ? 1 : 2, width = step * nx + 1;
   Sides sides;

@@ -1,4 +1,4 @@
-// Mortar pairs of faces in space: forces and gaps that are exact on flat faces, of any two meshes.
+// 3D mortar pairs: forces and gaps that are exact on flat faces, for any two meshes.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/SideGeometry.hpp>

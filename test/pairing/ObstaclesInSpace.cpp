@@ -1,4 +1,4 @@
-// Rigid obstacles before a face in space: distances and normals against closed forms.
+// Rigid obstacles in 3D: distances and normals against closed forms.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/CheckSays.hpp>
 #include <suture/base/Point.hpp>

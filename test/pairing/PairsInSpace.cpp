@@ -1,4 +1,4 @@
-// Faces of contacts and matching pairs in space, against numbers by hand and against turned meshes.
+// 3D contact faces and matching pairs, against numbers computed by hand and against rotated meshes.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/CheckSays.hpp>
 #include <suture/base/Point.hpp>

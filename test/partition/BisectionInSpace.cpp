@@ -69,7 +69,7 @@ TEUCHOS_UNIT_TEST(BisectionInSpace, CutsTetrahedraAsWellAsMetisDoes) {
   const Mesh mesh = brick(Cell::Tetrahedron4, 10, 10, 5);
   const ElementGraph graph = elementGraph(mesh);
   ElementGraph plain = graph;
-  plain.centres.clear();  // as in the plane
+  plain.centres.clear();  // as in 2D
   const auto sides = [&](const std::vector<int>& partOf) {
     int cut = 0;
     for (int e = 0; e < graph.elements(); ++e)

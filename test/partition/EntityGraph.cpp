@@ -1,4 +1,4 @@
-// Entities of graphs made by hand, in the plane and in space.
+// Entities of graphs made by hand, in 2D and 3D.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <functional>

@@ -95,7 +95,7 @@ TEUCHOS_UNIT_TEST(RigidMotionLifting, MotionAndRemainderMakeUpWhatWasPrescribed)
         const double before = scene.ruleOf(rule.node).value[k], motion = taken.motion(rule.node, k);
         if (world()->getRank() > 0) continue;
         TEST_COMPARE(std::abs(motion + rule.value[k] - before), <=, 4e-16 * std::abs(before));
-        // The curve, which is no rigid motion, is all that remains: of 1e-4 here, or of the rounding of what was prescribed.
+        // Only the curve remains, since it is no rigid motion: 1e-4 here, or the round-off of the prescribed values.
         TEST_COMPARE(std::abs(rule.value[k]), <, 1.1e-4 + 1e-15 * turn);
       }
   }
@@ -123,7 +123,7 @@ TEUCHOS_UNIT_TEST(RigidMotionLifting, GapsChangeByTheMotionOfBothSides) {
     }
 }
 
-/// Weights of a mortar sum to zero but for rounding, which 1e12 body sizes would make a gap of 1e-4.
+/// The weights of a mortar sum to zero up to round-off, which 1e12 body sizes would turn into a gap of 1e-4.
 TEUCHOS_UNIT_TEST(RigidMotionLifting, MortarGapsKeepTheirDigits) {
   const auto shift = [](const Point&) { return Point{0, 1e12, 0}; };
   Scene scene = carried(shift, shift);

@@ -1,4 +1,4 @@
-// Vertices, edges and faces of subdomains in space, against a search through the whole mesh, on any number of ranks.
+// Vertices, edges and faces of 3D subdomains, against a search through the whole mesh, on any number of ranks.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/DisjointSets.hpp>
 #include <suture/base/Buffer.hpp>

@@ -106,7 +106,7 @@ Scene softSquare(Cell cell, double poisson, bool ragged = false) {
 }
 
 TEUCHOS_UNIT_TEST(Bddc, ConditionOfMixedElementsDoesNotGrowAsPoissonsRatioTendsToOneHalf) {
-  // Quadrilateral4: a subdomain of a structured mesh is stiff against its chess boards, too, of which no flux tells.
+  // Quadrilateral4: a subdomain of a structured mesh is also stiff against its checkerboard modes, which have no flux.
   for (const Cell cell : casesOf({Cell::Quadrilateral4, Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9})) {
     const Lanczos easy = condition(softSquare(cell, 0.3), "Rigid Modes");
     for (const double poisson : {0.4999, 0.499999}) {
@@ -228,7 +228,7 @@ TEUCHOS_UNIT_TEST(Bddc, IsTheSameWithSparseLocalInverses) {
       const auto dense = bddcWith(matrix, {choice, "Local Inverses=Dense"}), sparse = bddcWith(matrix, {choice, "Local Inverses=Sparse"});
       TEST_COMPARE(difference(DensePair(*matrix, *sparse).m, DensePair(*matrix, *dense).m), <, 1e-9);
       TEST_EQUALITY(sparse->coarseSize(), dense->coarseSize());
-      TEST_EQUALITY(bddcWith(matrix, {choice})->bytesRead(), dense->bytesRead());  // Automatic in the plane
+      TEST_EQUALITY(bddcWith(matrix, {choice})->bytesRead(), dense->bytesRead());  // Automatic in 2D
     }
 }
 

@@ -1,4 +1,4 @@
-// Choices of preconditioners on cubes in space: subdomains that METIS cuts, nearly incompressible bodies, a second level, Neumann-Neumann.
+// Choices of preconditioners on 3D cubes: subdomains cut by METIS, nearly incompressible bodies, a second level, Neumann-Neumann.
 // Iterations until the preconditioned residual has fallen by 1e-8.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>

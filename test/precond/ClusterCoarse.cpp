@@ -103,7 +103,7 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, IsSymmetricAndWithinItsAccuracyOnAnyNumberOfRan
   TEST_COMPARE(values.maxCoeff(), <, 1.1 + 1e-10);
 }
 
-/// Average displacements of each edge, and how often they were asked for.
+/// Average displacements of each edge; counts the calls.
 class CountedAverages : public MomentConstraints {
  public:
   explicit CountedAverages(int& calls) : MomentConstraints(First::Nowhere), calls_(calls) {}

@@ -81,8 +81,8 @@ TEUCHOS_UNIT_TEST(NeumannNeumann, ConditionIsThatOfDenseEigenvalues) {
   }
 }
 
-// Unit square clamped on its left side, lambda = mu, H/h = 8. The bounds are those asked for; beside them today's own values, to see a
-// drift. Both coarse spaces level off: each step to four times as many subdomains adds less than the one before.
+// Unit square clamped on its left side, lambda = mu, H/h = 8. The bounds are the required ones; next to them the current values, to detect
+// a drift. Both coarse spaces level off: each step to four times as many subdomains adds less than the one before.
 TEUCHOS_UNIT_TEST(NeumannNeumann, ConditionLevelsOffFrom4To64Subdomains) {
   const int blocks[3] = {2, 4, 8};
   const std::map<std::string, std::pair<double, std::vector<double>>> expected{{"Rigid Modes", {3.5, {2.109, 3.092, 3.399}}},

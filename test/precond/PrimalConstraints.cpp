@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(PrimalConstraints, HoldTheMotionsThatTheirNamesSayOnSeams) {
       const Matrix columns = motions(space, edge);
       TEST_EQUALITY(none.rows[e].rows(), 0);
       TEST_EQUALITY(averages.rows[e].rows(), 2);
-      TEST_EQUALITY(all.rows[e].rows(), edge.unknowns.size() > 2 ? 3 : 2);  // a single node has no rotation of its own
+      TEST_EQUALITY(all.rows[e].rows(), edge.unknowns.size() > 2 ? 3 : 2);  // a single node has no rotation
       span(averages.rows[e], columns.leftCols(2), success, out);
       span(all.rows[e], edge.unknowns.size() > 2 ? columns : Matrix(columns.leftCols(2)), success, out);
     }

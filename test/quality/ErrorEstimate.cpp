@@ -314,7 +314,7 @@ TEUCHOS_UNIT_TEST(AveragedEstimate, IsZeroForUniformStressAndForNone) {
   for (const Cell cell : estimatedCells) {
     const scenes::Scene scene = square(cell, 4, 2, 1.0, power(1));
     TEST_COMPARE(averaged(blocks::Blocks(scene, blocks::world()), solve(scene)), <, 1e-10);
-    Vector moved(2 * scene.mesh.nodes());  // a translation and a turn: stresses are rounding
+    Vector moved(2 * scene.mesh.nodes());  // a translation and a rotation: stresses are round-off
     for (int node = 0; node < scene.mesh.nodes(); ++node)
       moved.segment<2>(2 * node) << 1.7 - 0.3 * scene.mesh.point(node)[1], 2.9 + 0.3 * scene.mesh.point(node)[0];
     TEST_EQUALITY(averaged(blocks::Blocks(scene, blocks::world()), moved), 0.0);

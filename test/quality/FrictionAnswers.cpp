@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, MissTheMomentAcrossAGap) {
   }
 }
 
-/// Normal forces that cancel but for what a solver leaves of them have no centre.
+/// Normal forces that cancel up to the solver's error have no centre.
 TEUCHOS_UNIT_TEST(FrictionAnswers, HaveACentreOnlyWhereTheyPress) {
   std::vector<PairResult> pairs(2);
   for (PairResult& pair : pairs) pair.line = 0, pair.tangential = {1.0, 0, 0};

@@ -56,7 +56,7 @@ PLANT(AFixedBodyMoved, pressedBlocks(), "prescribed", {
   answer.move(0, [&](const Point&, double* u) { u[0] += shift; });
 })
 
-// What solvers leave of the forces on a path is accepted where nothing acts any more, and no more than that.
+// Where nothing acts any more, solver errors relative to the path's largest forces are accepted, and nothing larger.
 TEUCHOS_UNIT_TEST(PlantedErrors, AreMeasuredByThePathWhereItEndsAtZero) {
   const auto verdict = [](double shift, double carried) {
     Judged answer(liftedBlock());

@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(PressureOscillation, IsOfClosedNeighboursInOnePiece) {
   TEST_EQUALITY(found.size(), 4u);
   TEST_FLOATING_EQUALITY(found[2], 1.0, 1e-14);
   TEST_EQUALITY(found[0] + found[1] + found[3], 0.0);
-  TEST_EQUALITY(pressureOscillations(pairs, {line(0, 4), line(4, 4), line(8, 4)})[1], 0.0);  // four pairs are too few to tell
+  TEST_EQUALITY(pressureOscillations(pairs, {line(0, 4), line(4, 4), line(8, 4)})[1], 0.0);  // four pairs are too few to decide
   // A line has second differences at all but its ends, a ring everywhere.
   TEST_EQUALITY(pressureOscillations(pairs, {line(0, 5)})[0], 0.0);
   TEST_FLOATING_EQUALITY(pressureOscillations(pairs, {line(0, 4, true)})[0], 1.0, 1e-14);

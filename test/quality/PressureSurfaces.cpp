@@ -147,7 +147,7 @@ TEUCHOS_UNIT_TEST(PressureSurfaces, HaveTheMultipliersFunctionsOfPairsAtMiddles)
   }
 }
 
-/// Pairs at all nodes of the sides: forces are those of their own functions. 9 nodes by Simpson's rule in both directions.
+/// Pairs at all nodes of the sides: each force belongs to its node's function. 9 nodes by Simpson's rule in both directions.
 TEUCHOS_UNIT_TEST(PressureSurfaces, HaveTheFunctionsOfNinePairsOnASide) {
   const Sheet sheet(2, 9);
   const double q = 7.0;

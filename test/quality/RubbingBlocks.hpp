@@ -1,7 +1,7 @@
 #pragma once
 #include <quality/SolidScenes.hpp>
 
-/// Answers with friction that are known by hand, in the plane and in space. Nothing is solved.
+/// Answers with friction that are known by hand, in 2D and 3D. Nothing is solved.
 namespace suture::solids {
 
 /// Effects of the sides of a contact on each other.

@@ -1,4 +1,4 @@
-// The verdict on answers in space that are known by hand, in turned frames: it holds, and names what is planted.
+// The verdict on 3D answers known by hand, in rotated frames: it accepts them, and names planted errors.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/SolidScenes.hpp>
 #include <suture/base/Point.hpp>

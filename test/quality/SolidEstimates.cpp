@@ -1,4 +1,4 @@
-// Recovered stresses and estimated errors in space: exact where they must be, and close to the true error of Galerkin solutions.
+// Recovered 3D stresses and estimated errors: exact where they must be, and close to the true error of Galerkin solutions.
 #include <Eigen/SparseCholesky>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/SolidScenes.hpp>

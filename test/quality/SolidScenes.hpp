@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-/// Bodies in space with answers known by hand, for tests of what judges answers. Nothing is solved.
+/// 3D bodies with answers known by hand, for tests of the answer checks. Nothing is solved.
 namespace suture::solids {
 
 using scenes::Scene;

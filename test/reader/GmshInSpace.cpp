@@ -1,4 +1,4 @@
-// Needs SUTURE_GMSH. Geometries in space, meshed by Gmsh with every cell.
+// Needs SUTURE_GMSH. 3D geometries, meshed by Gmsh with every cell.
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>

@@ -36,7 +36,7 @@ Mesh sample() {
   return mesh;
 }
 
-/// A box of each cell in space.
+/// A box meshed with each 3D cell.
 Mesh sampleInSpace() {
   Mesh mesh;
   if (world()->getRank() != 0) return mesh;
@@ -59,7 +59,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-// A sound file but for what `change` does to the mesh; what the reader says about it.
+// Message of the reader for a file that is sound except for the change that `change` makes to the mesh.
 std::string saidAbout(const std::function<void(Mesh&)>& change) {
   const Folder folder;
   Mesh mesh = sample();

@@ -71,7 +71,7 @@ TEUCHOS_UNIT_TEST(HilbertOrder, GoesFromSquareToSquareAcrossASide) {
   TEST_FLOATING_EQUALITY(end[1], first, 1e-14);
 }
 
-// From the origin to the far end of the x axis; and each run of 8^n elements, wherever it lies in the order, fills a cube in space.
+// The curve runs from the origin to the far end of the x axis, and each run of 8^n elements, anywhere in the order, fills a cube.
 TEUCHOS_UNIT_TEST(HilbertOrder, GoesFromCubeToCubeAcrossASide) {
   const int cells = 16;
   Mesh mesh = grid(cells, Cell::Hexahedron8);

@@ -21,7 +21,7 @@ namespace meshtesting {
 
 inline Teuchos::RCP<const suture::Comm> world() { return Tpetra::getDefaultComm(); }
 
-/// A folder of its own for the files of one test, the same on all ranks; removed at the end.
+/// A temporary folder for the files of one test, the same on all ranks; removed at the end.
 class Folder {
  public:
   Folder();

@@ -148,7 +148,7 @@ void addGroup(int dimension, const std::vector<int>& tags, int number, const std
   if (!name.empty()) gmsh::model::setPhysicalName(dimension, number, name);
 }
 
-// Two rectangles that share no node, the second behind the first in a group of its own, with named and unnamed groups.
+// Two rectangles that share no node, the second behind the first in a separate group, with named and unnamed groups.
 void makeModel(bool recombine, int order, bool incomplete) {
   gmsh::clear();
   gmsh::option::setNumber("Mesh.MeshSizeMax", 0.21);

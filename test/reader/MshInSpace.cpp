@@ -1,5 +1,4 @@
-// Meshes in space from .msh files without libgmsh: one element of every type with all of its sides, drawn by hand in every form of the
-// format.
+// 3D meshes from .msh files without libgmsh: one element of every type with all its sides, written by hand in every form of the format.
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
 #include <suture/reader/gmsh/GmshReader.hpp>

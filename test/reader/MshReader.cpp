@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
                     "curve group 'odd': 1 of its elements are not sides of any surface element (the first at (0.5, 0.5))");
 }
 
-// Found by the fuzzer: the table of sides was asked for a node that it does not have.
+// Found by the fuzzer: the table of sides was queried for a node that it does not contain.
 TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesAtNodesOfNoElement) {
   const Folder folder;
   const std::string nodes = squareFile + "5 2 0 0\n6 4 0 0\n", triangleLines = "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n";

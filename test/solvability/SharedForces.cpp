@@ -25,7 +25,7 @@ std::vector<ForceCut> noTension(const Vector& forces) {
 TEUCHOS_UNIT_TEST(SharedForces, AreNoneWhereColumnsAreIndependent) {
   TEST_EQUALITY(sharedForces({}).size(), 0u);
   TEST_EQUALITY(sharedForces(supports(2)).size(), 0u);
-  TEST_EQUALITY(sharedForces({{0, {{0, 1.0}}}, {1, {{0, 1e-6}, {1, 1e-6}}}}).size(), 0u);  // nearly the same, but for what is left: 1e-6
+  TEST_EQUALITY(sharedForces({{0, {{0, 1.0}}}, {1, {{0, 1e-6}, {1, 1e-6}}}}).size(), 0u);  // nearly the same; 1e-6 is left
 }
 
 TEUCHOS_UNIT_TEST(SharedForces, AreTheNullSpaceInParts) {
@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(SharedForces, StayWithinTheLaw) {
   TEST_COMPARE(pressed.minCoeff(), >, -1e-12);
   TEST_COMPARE(std::abs(pressed.sum() - 1.0), <, 1e-13);
   TEST_COMPARE(std::abs(pressed(1) + 2 * pressed(2) + 3 * pressed(3) - 0.4), <, 1e-13);
-  // Of forces (1 - m + t, m - 2 t, t, 0) with m = .4 the least has t = (3 m - 1) / 6: 1/30.
+  // The least force of (1 - m + t, m - 2 t, t, 0) with m = .4 has t = (3 m - 1) / 6: 1/30.
   TEST_COMPARE((pressed - Vector(Eigen::Vector4d(0.6 + 1.0 / 30, 0.4 - 2.0 / 30, 1.0 / 30, 0))).norm(), <, 1e-12);
 }
 

@@ -9,7 +9,7 @@
 namespace suture {
 namespace {
 
-/// What is wrong with a sentence: words twice, two prepositions, two marks, unfilled places.
+/// Faults of a sentence: repeated words, two prepositions, two punctuation marks, unfilled placeholders.
 std::string faultOf(const std::string& text) {
   static const std::regex wrong(
       R"(\b(a|the|at|on|in|of|to|by|with|and|or|is) \1\b|\b(at|of|to|by|from|with) (at|on|in|of|by|from|with)\b| \(\)| [,;.]( |$)|[,;:] ?[,;:.]( |$)|  |\bnan\b|\binf\b|''|-0[,) ])");

@@ -136,7 +136,7 @@ TEUCHOS_UNIT_TEST(FrictionMethods, HoldABodyByFrictionAlone) {
                    inGroups);
 }
 
-// What one Tresca problem after the other comes to, each with the bounds by the last one's forces: the contraction is what is reported.
+// Tresca problems in sequence, each with bounds from the last one's forces, contract at the reported rate.
 TEUCHOS_UNIT_TEST(FrictionMethods, ReportHowTheFixedPointOfTrescaProblemsContracts) {
   const auto contraction = [](const LawOfSides& law) {
     const Scene scene = rubbedBlocks(2, Sides::Matching, law, 4);
@@ -214,7 +214,7 @@ TEUCHOS_UNIT_TEST(FrictionMethods, GoOnFromASolution) {
     const InterfaceState start = one.problem.stateOf(one.problem.interiors(first.state), kept);
     const OuterResult again = solveWith("Active Set", one.problem, 1e-8, "BDDC", &start);
     TEST_ASSERT(again.converged);
-    TEST_COMPARE(again.iterations, <=, dimension);             // in space directions of slip are settled at an accuracy between
+    TEST_COMPARE(again.iterations, <=, dimension);             // in 3D slip directions are settled at an intermediate accuracy
     TEST_COMPARE(3 * again.pcgTotal, <=, 2 * first.pcgTotal);  // with the same states: what the search itself costs is saved
     TEST_ASSERT(one.problem.differing(again.state.status, first.state.status).empty());
   }

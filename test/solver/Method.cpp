@@ -138,7 +138,7 @@ TEUCHOS_UNIT_TEST(Method, RefusesAnotherOrderOfCalls) {
   method->prepare(given.cut(), timers);
   TEST_COMPARE(method->interfaceUnknowns(), >, 0);
   TEST_THROW(method->prepare(given.cut(), timers), InternalError);
-  // A method that needs the mesh is not given it: rank 0 says so before the others wait.
+  // A method that needs the mesh does not get it: rank 0 reports the error before the others wait.
   const Mesh none;
   const CutScene cut = given.cut(), empty{cut.comm, none, cut.constraints, cut.partition, cut.meshes, cut.model, cut.settings};
   TEST_THROW(makeMethod(solverParameters({"Outer Solver/Type=Monolithic"}), true)->prepare(empty, timers), InternalError);

@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(SecondLevelContact, AccuratePreconditionerIsTheSameOnAnyNumber
 }
 
 // Contact nodes in Cartesian unknowns on an inclined line: each closed pair is an equation between four of them, and local problems name
-// unknowns that only others determine. Clusters would be loose in them: the coarse problem is solved exactly, and the user is told.
+// unknowns that only others determine. Clusters would be loose in them: the coarse problem is solved exactly, and the user is warned.
 TEUCHOS_UNIT_TEST(SecondLevelContact, IsLeftOutWhereRowsHaveSeveralTerms) {
   const Scene scene = turned(manyBlocks(), 0.5);
   const OnInterface one(scene, world());

@@ -27,7 +27,7 @@ struct StepRows : Monitor {
   int active = 0;
 
   /// First step whose error in the energy norm, relative to the solution, is below `tolerance`: the error that (41) bounds. The energy is
-  /// all strain energy here (only displacements are prescribed), and the last one stands for the solution's.
+  /// all strain energy here (only displacements are prescribed); the last step replaces the solution.
   int stepsToError(double tolerance) const {
     for (std::size_t k = 0; k < energies.size(); ++k)
       if (energies[k] - energies.back() <= tolerance * tolerance * energies.back()) return static_cast<int>(k) + 1;

@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(ElasticSubdomain, OfOneBrickIsThatOfABodyOfItsMaterial) {
 }
 
 TEUCHOS_UNIT_TEST(ElasticSubdomain, OfBricksIsTheSumOfThePartsOfEachMaterial) {
-  // The mesh taken apart: all elements of one colour as a mesh of its own, all of the other colour as another.
+  // The mesh taken apart: all elements of one colour in one mesh, all of the other colour in another.
   const double soft = 2.0, hard = 3e5;
   Box box;
   box.nx = 7;
@@ -160,8 +160,8 @@ TEUCHOS_UNIT_TEST(ElasticSubdomain, HasTheLargestYoungModulusAtANode) {
 }
 
 TEUCHOS_UNIT_TEST(ElasticSubdomain, KnowsItsStiffnessAgainstShapeAloneWhereVolumeIsStiff) {
-  // The stiffness is linear in the Lame constant: what is left at zero, from two others with the same shear modulus. Nodes on the left have
-  // axes of their own.
+  // The stiffness is linear in the Lame constant: its value at zero follows from two others with the same shear modulus. Nodes on the left
+  // have rotated axes.
   const auto made = [](double poisson) {
     Box box;
     box.nx = box.ny = 6;

@@ -64,7 +64,7 @@ TEUCHOS_UNIT_TEST(RigidModes, OfBodiesOfRevolutionAreTheTranslationAlongTheAxis)
 
 TEUCHOS_UNIT_TEST(RigidModes, NullSpaceIsWhatTheRowsLeaveFree) {
   TEST_EQUALITY((nullSpace(Matrix(0, 3)) - Matrix::Identity(3, 3)).norm(), 0.0);
-  Matrix rows(5, 3);  // a matrix of rank two, its last rows rounding
+  Matrix rows(5, 3);  // matrix of rank two, its last rows round-off
   rows << 1, 2, 3, 2, 4, 6, 0, 1, -1, 1, 3, 2, 1e-14, 0, 0;
   const Matrix free = nullSpace(rows);
   TEST_EQUALITY(free.cols(), 1);

@@ -132,7 +132,7 @@ TEUCHOS_UNIT_TEST(Subdomain, ItsForcesAndLoadsAreThoseOfElementLoops) {
   for (const auto& subdomain : body.subdomains) {
     const SubdomainMesh& mesh = subdomain->mesh();
     Vector u(2 * mesh.nodes());
-    for (int i = 0; i < u.size(); ++i) u(i) = std::sin(1.0 + 3.7 * i);  // prescribed components as they come: K u is asked for, not a state
+    for (int i = 0; i < u.size(); ++i) u(i) = std::sin(1.0 + 3.7 * i);  // prescribed components as they are: K u is computed, not a state
     const auto materialOf = [&](int e) -> const Material& { return plate.scene.model.materialOf(mesh, e, mesh.body); };
     const ElementForces found = subdomain->internalForces(u), expected = elementForces(mesh, materialOf, plate.scene.model.plane, u);
     TEST_COMPARE(difference(found.internal, expected.internal), <, 1e-13);
