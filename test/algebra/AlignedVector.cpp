@@ -1,4 +1,4 @@
-// Memory for kernels: where it begins, that pieces do not meet, and that what is freed goes back to the system.
+// Memory for kernels: it is aligned, pieces do not overlap, and freed memory is returned to the system.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/dense/AlignedVector.hpp>
 

@@ -8,7 +8,7 @@ namespace {
 
 using namespace blocks;
 
-// One body with some components of its left side held, so that it keeps `loose` rigid motions.
+// One body with some components of its left side held, so that `loose` rigid motions remain.
 Scene heldIn(const std::vector<int>& components, double young = 2e11) {
   Scene scene = square(1, 7, young);
   for (int k : components) scene.hold("body_left", k, 0.0);

@@ -10,7 +10,7 @@
 namespace suture {
 namespace {
 
-// The first columns of a matrix with a dominant diagonal, further apart than they are long.
+// The first columns of a matrix with a dominant diagonal, stored with a leading dimension above their length.
 struct Trapezoid {
   Matrix whole, values;
   Trapezoid(int columns, int rows) : whole(random(rows, rows)), values(Matrix::Constant(rows + 3, columns, 7.0)) {

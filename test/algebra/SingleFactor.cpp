@@ -22,7 +22,7 @@ SparseMatrix gridMatrix(int n, double jump, std::vector<Point>* places = nullptr
   const Blocks all(scene, alone());
   SparseMatrix k = all.subdomains[0]->stiffness().full();
   if (places) *places = placesOfDofs(*all.subdomains[0]);
-  // D K D is definite with K, and as badly scaled as stiffness that jumps.
+  // D K D is definite if K is, and as badly scaled as stiffness with jumps.
   for (int j = 0; j < k.cols(); ++j)
     for (SparseMatrix::InnerIterator it(k, j); it; ++it) it.valueRef() *= (it.row() % 3 ? 1.0 : jump) * (j % 3 ? 1.0 : jump);
   return k;

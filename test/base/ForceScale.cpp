@@ -25,7 +25,7 @@ TEUCHOS_UNIT_TEST(ForceScale, LendsToIdleBodiesAlsoBehindOthersThatCarryNothing)
 }
 
 TEUCHOS_UNIT_TEST(ForceScale, LendsNoMoreThanTheNeighbourHasWhereItCarriesMore) {
-  // The middle body carries a hundredth of the load on to the last one.
+  // The middle body passes a hundredth of the load to the last one.
   const auto scales = ForceScale::of({carrying(1e-9), carrying(0.1), loaded(10.0)}, {}, Neighbours{{0, 1}, {1, 2}});
   TEST_FLOATING_EQUALITY(scales[1].force, 0.1, 1e-12);
   TEST_FLOATING_EQUALITY(scales[0].force, 1e-4, 1e-12);

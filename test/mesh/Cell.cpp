@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(Cell, EdgesAreThoseOfTheDrawingInTheOrderOfTheirMiddles) {
   }
 }
 
-// Every vertex of a convex cell lies on a side or behind it, and every edge is run once in either direction.
+// Every vertex of a convex cell lies on a side or behind it, and every edge is traversed once in each direction.
 TEUCHOS_UNIT_TEST(Cell, SidesInSpaceRunCounterClockwiseSeenFromOutside) {
   for (const Cell cell : referencecells::solid) {
     const CellInfo& info = cellInfo(cell);

@@ -34,7 +34,7 @@ Sheet octant(int n) {
   return sheet;
 }
 
-/// The rectangle [0, nx] x [0, ny] of unit squares, or pairs of triangles by alternating diagonals, mapped.
+/// The rectangle [0, nx] x [0, ny] of unit squares, or of pairs of triangles with alternating diagonals, mapped.
 Sheet grid(int nx, int ny, bool triangles, const Map& map) {
   Sheet sheet;
   const auto at = [ny](int i, int j) { return i * (ny + 1) + j; };
@@ -53,7 +53,7 @@ Sheet grid(int nx, int ny, bool triangles, const Map& map) {
   return sheet;
 }
 
-/// Largest distances, by a function of the place, of the elements and of the smooth surface over them.
+/// Largest distances, by a function of place, of the elements and of the smooth surface over them.
 struct Largest {
   double facets = 0, smooth = 0;
 };

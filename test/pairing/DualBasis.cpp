@@ -1,4 +1,4 @@
-// Biorthogonal functions against those that are known in closed form.
+// Biorthogonal functions against known closed forms.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Matrices.hpp>
 #include <suture/mesh/SideShape.hpp>
@@ -27,7 +27,7 @@ Part part(int nodes, double begin, double end, int points = 4) {
   return result;
 }
 
-/// The psi as combinations of shape functions, one a row.
+/// The psi as combinations of shape functions, one per row.
 Matrix coefficients(const DualBasis& basis, int functions) {
   Matrix all(functions, functions);
   for (int k = 0; k < functions; ++k) all.col(k) = basis.at(Vector::Unit(functions, k));

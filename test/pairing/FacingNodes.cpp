@@ -1,4 +1,4 @@
-// Nodes that stand opposite to each other, on surfaces whose partners are known.
+// Nodes that face each other, on surfaces whose partners are known.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/pairing/FacingNodes.hpp>
@@ -35,7 +35,7 @@ Sides shuffled(const Sides& sides, unsigned seed, int vertices = 0) {
   return result;
 }
 
-/// The sides seen from behind, moved.
+/// The sides seen from behind, shifted.
 Sides facing(Sides sides, int vertices, const Point& by) {
   for (Point& point : sides.points) point = plus(point, by);
   for (std::vector<int>& side : sides.nodes) {
@@ -74,7 +74,7 @@ Sides circle(int n, double radius, double from, bool outwards) {
   return sides;
 }
 
-/// Largest distance of partners from where they should be.
+/// Largest distance of partners from their expected places.
 double farthest(const Surface& a, const Surface& b, const std::optional<FacingNodes::Partners>& partners,
                 const std::function<Point(Point)>& expected) {
   if (!partners || partners->size() != a.nodes().size()) return 1e300;

@@ -18,7 +18,7 @@ using meshtesting::world;
 
 namespace {
 
-// Two bodies of different cells, with places that no decimal form would keep; on rank 0.
+// Two bodies of different cells, with coordinates that no decimal form would preserve; on rank 0.
 Mesh sample() {
   Mesh mesh;
   if (world()->getRank() != 0) return mesh;
@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesSizesThatContradictEachOther) {
 
 TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesSidesInsideTheMaterial) {
   SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) {
-                      // each side of the box' middle element but its lower one lies inside
+                      // each side of the box' middle element except its lower one is interior
                       mesh.sideGroups["upper_top"][0].side = 1;
                     }),
                     "group 'upper_top': side 1 of element");
