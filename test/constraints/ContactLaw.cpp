@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(ContactLaw, EveryRegisteredLawKeepsTheContract) {
 const Registration<ContactLaw> rough("Rough", Schema("What is pressed sticks."),
                                      [](const Constants&, const Parameters&) { return std::make_unique<RoughLaw>(); });
 
-// A user's law is chosen by its name, contact by contact; a scene that names none is frictionless.
+// A user's law is chosen by name for each contact; a scene that names none is frictionless.
 TEUCHOS_UNIT_TEST(ContactLaw, IsChosenByItsNameInTheScene) {
   Schema schema("scene");
   schema.list("Contact", Schema("lines").each("<line>", contactSchema()));

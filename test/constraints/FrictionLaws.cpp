@@ -25,7 +25,7 @@ ContactTrial randomTrial(std::mt19937& random, int dimension) {
   return trial;
 }
 
-/// Tangential force of a state's projection of a trial.
+/// Tangential force after a state's projection of a trial.
 Point tangentialPart(const ContactState& state, const ContactTrial& trial) {
   Point part{0, 0, 0};
   if (!state.closed()) return part;
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, TakeBoundsAndCoefficientsFromExpressions) {
              coulomb = lawNamed("Coulomb", {{"Coefficient", "y"}, {"Cohesion", "x^2"}});
   const ContactState bounded = tresca->project(trial, {}), rubs = coulomb->project(trial, {});
   TEST_FLOATING_EQUALITY(bounded.largest(2.0), 0.25 * 28.0, 1e-15);
-  TEST_FLOATING_EQUALITY(bounded.largest(1e6), 0.25 * 28.0, 1e-15);  // whatever the pressure
+  TEST_FLOATING_EQUALITY(bounded.largest(1e6), 0.25 * 28.0, 1e-15);  // for any pressure
   TEST_ASSERT(!bounded.drags());
   TEST_FLOATING_EQUALITY(rubs.largest(2.0), 0.25 * 9.0 + 0.5 * 2.0, 1e-15);
   TEST_FLOATING_EQUALITY(rubs.largest(-2.0), 0.25 * 9.0, 1e-15);
@@ -140,7 +140,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, AskForNoBoundWithoutAPlace) {
   TEST_FLOATING_EQUALITY(law->project(trial, {}).friction, 0.4, 1e-14);
 }
 
-// Without a bound nothing holds: a pair with any tangential trial force slips, in its direction, without force.
+// A zero bound holds nothing: a pair with any tangential trial force slips, in its direction, without force.
 TEUCHOS_UNIT_TEST(FrictionLaws, WithoutABoundEveryPushSlides) {
   const auto law = lawNamed("Coulomb", {});
   ContactTrial trial;

@@ -238,7 +238,7 @@ TEUCHOS_UNIT_TEST(FaceSampling, TakesTheGapBetweenConcentricSpheres) {
         TEST_COMPARE(doubt, >, 1e-2);
       } else {
         TEST_COMPARE(worst, <, 4e-4);
-        TEST_COMPARE(doubt, <, 1e-10);  // spheres leave none
+        TEST_COMPARE(doubt, <, 1e-10);  // no uncertainty on spheres
       }
       TEST_EQUALITY(paired.gapDoubts.size(), paired.pairs.size());
     }

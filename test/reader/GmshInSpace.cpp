@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(GmshInSpace, NumbersWhatItMeshesAlongACurve) {
   TEST_COMPARE(steps / mesh.elements(), <, 1.0);
 }
 
-// A ball: with straight sides its volume is too small by O(h^2), with curved ones by O(h^4).
+// A ball: with straight sides its surface is too small by O(h^2), with curved ones by O(h^4).
 TEUCHOS_UNIT_TEST(GmshInSpace, ReadsCurvedElements) {
   const Folder folder;
   const double exact = 16 * std::acos(-1.0);

@@ -113,8 +113,7 @@ Mesh reference(const std::string& path) {
     for (const int entity : ofGroup) {
       int parentDimension = 0, parent = 0;
       gmsh::model::getParent(dimension, std::abs(entity), parentDimension, parent);
-      if (parentDimension > dimension)
-        continue;  // the interface between two parts of an entity has the numbers of the groups of that entity
+      if (parentDimension > dimension) continue;  // an interface between two parts of an entity has the entity's group numbers
       if (dimension == mesh.dimension) {
         members.insert(elementsOf[entity].begin(), elementsOf[entity].end());
         continue;
