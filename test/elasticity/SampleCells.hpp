@@ -34,12 +34,12 @@ CellBlock mapped(Cell cell, const std::function<suture::Point(const suture::Poin
 CellBlock brick(Cell cell, double a, double b, double c);
 // Straight edges, far from any symmetry: except tetrahedra, no affine image of the reference element; sides of four nodes are warped.
 CellBlock distortedSolid(Cell cell);
-// distortedSolid() with the nodes of edges, sides and centres pushed away.
+// distortedSolid() with the nodes of edges, sides and centres moved off their middles.
 CellBlock curvedSolid(Cell cell);
 // All sides of a block of one element.
 std::vector<suture::Side> sidesOfElement(const CellBlock& block);
 
-// Area within the polygon of the vertices (shoelace).
+// Area of the polygon of the vertices (shoelace).
 double polygonArea(const CellBlock& block, int vertices);
 
 }  // namespace sample

@@ -31,7 +31,7 @@ struct Written {
     partition = makePartition(*comm(), whole, constraints, metis(7).list(), false);
     writeHdf5Mesh(*comm(), whole, path, [&](Hdf5File& file) { addPartition(file, whole, constraints, partition, madeFor, "remarks"); });
   }
-  /// Changes a letter in the name of a body's first subdomain, at its only place in the file.
+  /// Changes a letter in the name of a body's first subdomain, wherever it occurs in the file.
   void damage() const {
     if (onRoot()) {
       std::ifstream in(path, std::ios::binary);

@@ -1,4 +1,4 @@
-// Boxes and rings that reach into each other by a depth that is known, on any number of ranks.
+// Boxes and rings that overlap by a known depth, on any number of ranks.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/SolidScenes.hpp>
 #include <suture/base/Point.hpp>
@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(Overlaps, OfDisplacedBodies) {
   TEST_EQUALITY(search.find(*world(), broken).size(), 0);
 }
 
-/// A ring of quadrilaterals between two radii, as a box that is bent: x round the circle, y along the radius.
+/// A ring of quadrilaterals between two radii, a bent box: x round the circle, y along the radius.
 void bend(Mesh& mesh, const std::string& group, double inner, double outer) {
   for (int node = 0; node < mesh.nodes(); ++node) {
     if (mesh.bodies[mesh.bodyOfNode[node]] != group) continue;

@@ -19,7 +19,7 @@ const Eigen::Matrix3d kFrame = solids::rotation({1, 2, -0.5}, 0.9);
 const Point kOrigin{3, -2, 5};
 constexpr double kYoung = 10.0, kPoisson = 0.3;
 
-/// A cube in a turned frame, with the displacement of uniform strains (1e-3, -2e-3, 5e-4) along its axes: its principal stresses by hand.
+/// A cube in a rotated frame, with the displacement of uniform strains (1e-3, -2e-3, 5e-4) along its axes: its principal stresses by hand.
 struct StrainedCube {
   scenes::Scene scene;
   std::vector<SubdomainMesh> meshes;

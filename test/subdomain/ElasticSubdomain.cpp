@@ -11,7 +11,7 @@ namespace {
 
 using namespace blocks;
 
-// A bar [0, 2] x [0, 1] in plane stress, held on its left, pulled at its right; without Poisson's effect its halves of different Young
+// A bar [0, 2] x [0, 1] in plane stress, held on its left, pulled at its right; with zero Poisson's ratio its halves of different Young
 // moduli each have a constant strain, which every element can represent.
 struct Bar {
   static constexpr double left = 3.0, right = 50.0, pull = 0.6;
@@ -41,7 +41,7 @@ struct Bar {
   }
 };
 
-// Values of subdomains' free unknowns added up over all ranks, by their global numbers.
+// Values of subdomains' free unknowns summed over all ranks, by their global numbers.
 Vector summed(const Comm& comm, const Blocks& all, int unknowns, const std::function<Vector(const Subdomain&)>& values) {
   Vector mine = Vector::Zero(unknowns), sum(unknowns);
   for (const auto& subdomain : all.subdomains) {

@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(SchurComplement, IsTheDenseOne) {
       }
 }
 
-// Other loads and prescribed displacements after factoring, against a dense elimination with them; single precision, too.
+// Other loads and prescribed displacements after factoring, against dense elimination; single precision, too.
 TEUCHOS_UNIT_TEST(SchurComplement, TakesOtherLoads) {
   const Scene scene = loadedSquare();
   for (const std::string name : {"Explicit", "Implicit", "Single", "Automatic"}) {
