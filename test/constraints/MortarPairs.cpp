@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, HasTheLengthOfWhatTheSidesShare) {
     }
 }
 
-// Forces of a constant pressure: each node gets the integral of its own shape function over the shared length, on either side. With the
+// Forces of a constant pressure: each node gets the integral of its shape function over the shared length, on either side. With the
 // trapezoidal rule of the hat functions where the other side covers all of it.
 TEUCHOS_UNIT_TEST(MortarPairs, PassesAConstantPressureOnToBothSides) {
   for (const Case& c : {cases[0], cases[1], cases[2], cases[5], cases[6], cases[7]}) {

@@ -233,7 +233,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsZeroForUniformStressInBodiesOfFewElements) {
     }
 }
 
-// The in-plane normal stress jumps by a factor of 50 within the body and between bodies: uniform in each, so that nothing is to be
+// The transverse stress jumps by a factor of 50 within the body and between bodies: uniform in each, so that nothing is to be
 // estimated.
 TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotSmoothJumpsBetweenMaterialsAndBodies) {
   for (const Cell cell : estimatedCells) {

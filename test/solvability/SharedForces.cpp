@@ -6,7 +6,7 @@ namespace {
 
 using namespace suture;
 
-/// A bar on `count` equal supports in a row: the two sums, of forces and of moments, are all that is determined.
+/// A bar on `count` equal supports in a row: only the two sums, of forces and of moments, are determined.
 std::vector<ForceColumn> supports(int count) {
   std::vector<ForceColumn> columns;
   for (int i = 0; i < count; ++i) columns.push_back({i, {{0, 1.0}, {1, double(i)}}});
@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(SharedForces, StayWithinTheLaw) {
 }
 
 TEUCHOS_UNIT_TEST(SharedForces, StayWithinACone) {
-  // One force along each of three axes may be added freely; the law: |(x1, x2)| <= x0, and the given force is (5, 3, 4), at its rim.
+  // One force along each of three axes may be added freely; the law: |(x1, x2)| <= x0, and the given force is (5, 3, 4), at its limit.
   const SharedForces shared{{0, 1, 2}, Matrix(Vector(Eigen::Vector3d(1, 0, 0)))};  // only the first is free: it must not fall below 5
   const auto cone = [](const Vector& x) {
     const double size = std::hypot(x(1), x(2));
