@@ -9,7 +9,7 @@ namespace suture::blocks {
 struct Sheets {
   std::vector<Matrix> schur;                     ///< of each sheet, onto the line
   std::vector<int> inner;                        ///< unknowns of the line that are at neither end
-  Teuchos::RCP<const InterfaceOperator> matrix;  ///< sheets dealt out to the ranks
+  Teuchos::RCP<const InterfaceOperator> matrix;  ///< sheets distributed over the ranks
 
   /// \param jump  between bricks; \param stiffness  of each sheet, a factor
   explicit Sheets(const CommPtr& comm, double jump = 1e4, const std::vector<double>& stiffness = {1.0, 1.0, 1.0});
