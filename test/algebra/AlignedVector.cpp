@@ -1,4 +1,4 @@
-// Memory for kernels: where it begins, that pieces do not meet, and that what is freed goes back to the system.
+// Memory for kernels: it is aligned, pieces do not overlap, and freed memory is returned to the system.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/dense/AlignedVector.hpp>
 
@@ -18,7 +18,7 @@ double resident() {
   return 4096.0 * pages;
 }
 
-// Vectors that come and go in any order, each filled with a number of its own. Returns how many were not as they should be.
+// Allocates and frees vectors in random order, each filled with a different number. Returns how many were corrupted.
 int mistakes(unsigned seed) {
   std::mt19937 generator(seed);
   std::vector<AlignedVector<double>> kept(40);

@@ -29,10 +29,10 @@ std::vector<CholmodOptions> everyWay(int trailing) {
 }
 
 TEUCHOS_UNIT_TEST(CholmodFactor, StartsNoThreads) {
-  const std::filesystem::path threads = "/proc/self/task";  // Linux; elsewhere there is nothing to count
+  const std::filesystem::path threads = "/proc/self/task";  // Linux; elsewhere not measurable
   if (!std::filesystem::exists(threads)) return;
   const auto count = [&] { return std::distance(std::filesystem::directory_iterator(threads), {}); };
-  omp_set_num_threads(4);  // whatever the caller has
+  omp_set_num_threads(4);  // the caller's setting
   CholmodOptions options;
   options.form = Form::Supernodal;
   options.trailing = 150;
@@ -45,7 +45,7 @@ TEUCHOS_UNIT_TEST(CholmodFactor, StartsNoThreads) {
 
 TEUCHOS_UNIT_TEST(CholmodFactor, SolvesLikeADenseFactorisation) {
   const Sparse a = randomDefinite(150, 7);
-  const Matrix dense(a), rhs = Matrix::Random(150, 37);  // more columns than go through L at once
+  const Matrix dense(a), rhs = Matrix::Random(150, 37);  // more columns than one pass through L takes
   const Matrix expected = dense::solveSymmetric(dense, rhs);
   for (int trailing : {0, 31, 150})
     for (const CholmodOptions& options : everyWay(trailing)) {
@@ -103,7 +103,7 @@ TEUCHOS_UNIT_TEST(CholmodFactor, SchurComplementOfAFloatingBodyHasTheTranslation
       for (int i = k; i < trailing; i += 2) z[i] = 1;
       TEST_COMPARE((s * z).cwiseAbs().maxCoeff(), <, 1e-14 * (s.cwiseAbs() * z).maxCoeff());
     }
-    // nothing but the three rigid motions costs no energy
+    // only the three rigid motions have no energy
     const Vector values = dense::eigenvalues(s);
     TEST_COMPARE(values[2], <, 1e-13 * values[trailing - 1]);
     TEST_COMPARE(values[3], >, 1e-3 * values[trailing - 1]);
@@ -137,7 +137,7 @@ TEUCHOS_UNIT_TEST(CholmodFactor, CountsItsWork) {
   TEST_EQUALITY(factor.statistics().factorEntries, double(n));
   TEST_EQUALITY(factor.statistics().smallestPivot, 1.0);
   TEST_EQUALITY(factor.statistics().ordering, std::string("AMD"));
-  // a full matrix: n (n + 1) / 2 entries whatever the order
+  // a full matrix: n (n + 1) / 2 entries in any order
   const Sparse full = Matrix(Matrix::Ones(n, n) + n * Matrix::Identity(n, n)).sparseView();
   TEST_EQUALITY(CholmodFactor(full).statistics().factorEntries, n * (n + 1) / 2.0);
 }

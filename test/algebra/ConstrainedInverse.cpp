@@ -10,10 +10,10 @@ namespace {
 using namespace saddle;
 
 TEUCHOS_UNIT_TEST(ConstrainedInverse, IsTheSaddleProblemsSolution) {
-  // A large inverse and its basis are kept in single precision where its condition allows it; with a large jump they are not.
+  // A large inverse and its basis are kept in single precision if the condition allows it; with a large jump they are not.
   struct Case {
     int n, kernel;
-    double orders, rounding, exact;  // exact = 0: elimination itself is not
+    double orders, rounding, exact;  // exact = 0: elimination itself is not exact
   };
   for (const auto& [n, kernel, orders, rounding, exact] :
        {Case{14, 0, 4.0, 1e-10, 1e-10}, Case{14, 1, 4.0, 1e-10, 1e-10}, Case{14, 3, 4.0, 1e-10, 1e-10}, Case{210, 1, 0.0, 1e-6, 1e-9},
@@ -30,14 +30,14 @@ TEUCHOS_UNIT_TEST(ConstrainedInverse, IsTheSaddleProblemsSolution) {
     }
     const double kept = rounding > 1e-7 ? rounding : 1e-12;  // accuracy of single precision, where it is used
     TEST_COMPARE((p - p.transpose()).norm(), <, kept * p.norm());
-    // The claims about them, in their own terms.
+    // The class's claims, as it states them.
     TEST_COMPARE((c * found.basis() - Matrix::Identity(5, 5)).norm(), <, kept);
     TEST_COMPARE((c * p).norm(), <, rounding * c.norm() * p.norm());
     TEST_COMPARE((found.basis().transpose() * s * found.basis() - found.energy()).norm(), <, std::max(1e-10, kept) * s.norm());
   }
 }
 
-// P S with P in single precision, which is what conjugate gradients see: as near to the identity as the condition lets it be.
+// P S with P in single precision, as conjugate gradients apply it: as close to the identity as the condition permits.
 TEUCHOS_UNIT_TEST(ConstrainedInverse, InSinglePrecisionItIsAlmostTheInverse) {
   const int n = 210;
   const Matrix q = dense::orthogonal(random(n, n, 5));

@@ -1,4 +1,4 @@
-// Predictions against what CHOLMOD counts on grids.
+// Predictions against CHOLMOD's counts on grids.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/CholmodFactor.hpp>
 #include <suture/algebra/CostModel.hpp>
@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-/// Lower triangle of a matrix with the graph of displacements on cells^dimension square or cubic elements.
+/// Lower triangle of a matrix with the displacement graph of cells^dimension square or cubic elements.
 Eigen::SparseMatrix<double> grid(int dimension, int cells) {
   const int side = cells + 1, layers = dimension == 3 ? side : 1, reach = dimension == 3 ? 1 : 0;
   std::vector<Eigen::Triplet<double>> entries;
@@ -50,7 +50,7 @@ TEUCHOS_UNIT_TEST(CostModel, PredictsFactorsWithinAThird) {
   }
 }
 
-// In the plane a dense inverse is cheaper than a factor for subdomains of usual size; in space the factor is, from a few thousand unknowns.
+// In 2D a dense inverse is cheaper than a factor for subdomains of usual size; in 3D the factor is cheaper from a few thousand unknowns.
 TEUCHOS_UNIT_TEST(CostModel, KnowsWhereDenseMatricesPay) {
   const auto ratio = [](int dimension, double cells) {
     const CostModel cost(dimension);

@@ -7,7 +7,7 @@ using namespace suture;
 
 namespace {
 
-/// A matrix of given singular values: rotations of a diagonal one.
+/// A matrix with given singular values: a rotated diagonal matrix.
 Matrix withValues(const Vector& values, int rows) {
   Matrix m = Matrix::Zero(rows, values.size());
   for (int i = 0; i < values.size(); ++i) m(i, i) = values(i);

@@ -1,4 +1,4 @@
-// Against labels that are painted over with every join.
+// Against labels that are overwritten at every join.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <random>

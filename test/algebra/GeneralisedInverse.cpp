@@ -8,7 +8,7 @@ namespace {
 
 using namespace blocks;
 
-// One body with some components of its left side held, so that it keeps `loose` rigid motions.
+// One body with some components of its left side held, so that `loose` rigid motions remain.
 Scene heldIn(const std::vector<int>& components, double young = 2e11) {
   Scene scene = square(1, 7, young);
   for (int k : components) scene.hold("body_left", k, 0.0);
@@ -29,7 +29,7 @@ TEUCHOS_UNIT_TEST(GeneralisedInverse, SolvesEveryBalancedLoadOfAFloatingBody) {
       Matrix x = b;
       inverse.apply(x);
       TEST_COMPARE(difference(s.stiffness() * x, b), <, 1e-11);
-      // against the pseudo-inverse: the same but for a rigid motion
+      // equal to the pseudo-inverse up to a rigid motion
       Matrix expected = leastSquares(s.stiffness().dense(), b);
       if (loose > 0) x = withoutSpan(s.kernel(), x);
       TEST_COMPARE(difference(x, expected), <, 1e-9);

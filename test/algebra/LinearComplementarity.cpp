@@ -25,7 +25,7 @@ double violation(const Matrix& m, const Vector& q, const Vector& z) {
   return std::max({-z.minCoeff(), -w.minCoeff(), z.cwiseMin(w).maxCoeff()}) / size;
 }
 
-/// Solutions with z positive on each of the 2^n sets.
+/// Solutions, by enumerating the 2^n sets of positive z.
 int solutions(const Matrix& m, const Vector& q) {
   const int n = static_cast<int>(q.size());
   int found = 0;
@@ -44,7 +44,7 @@ TEUCHOS_UNIT_TEST(LinearComplementarity, FindsTheOneSolutionOfPositiveDefiniteMa
   for (int trial = 0; trial < 40; ++trial) {
     const int n = 1 + trial % 20;
     const Matrix a = numbers.matrix(n, n + 2), skew = numbers.matrix(n, n);
-    // Not symmetric: the minimum of no function.
+    // Not symmetric: it minimises no function.
     const Matrix m = a * a.transpose() + 0.3 * Matrix::Identity(n, n) + skew - skew.transpose();
     const Vector q = numbers.matrix(n, 1);
     const std::optional<Vector> z = linearComplementarity(m, q);
@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(LinearComplementarity, FindsTheOneSolutionOfPositiveDefiniteMa
   }
 }
 
-// One point in contact with friction: with a compliance that couples normal and tangent strongly it has a solution for any friction, though
+// One contact point with friction: with a compliance that couples normal and tangent strongly it has a solution for any friction, although
 // the matrix is not even positive semidefinite.
 TEUCHOS_UNIT_TEST(LinearComplementarity, FindsASolutionOfContactWithAnyFriction) {
   Numbers numbers(4);
@@ -90,7 +90,7 @@ TEUCHOS_UNIT_TEST(LinearComplementarity, IsEmptyWhereThereIsNoSolution) {
   TEST_ASSERT(linearComplementarity(Matrix(0, 0), Vector()).has_value());
 }
 
-// Steps of zero length: many right-hand sides are zero, rows are there twice.
+// Steps of zero length: many right-hand sides are zero, some rows are duplicates.
 TEUCHOS_UNIT_TEST(LinearComplementarity, DoesNotGoRoundWhereValuesTie) {
   Numbers numbers(5);
   for (int trial = 0; trial < 50; ++trial) {

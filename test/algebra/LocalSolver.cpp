@@ -22,7 +22,7 @@ TEUCHOS_UNIT_TEST(LocalSolver, AllThatAreRegisteredGiveTheDenseAnswer) {
     TEST_COMPARE(difference(x, expected), <, 1e-10);
     TEST_COMPARE(difference(one, expected.col(2)), <, 1e-10);
     TEST_EQUALITY(solver->solves(), 6);
-    Matrix wide = random(int(k.rows()) + 3, 7);  // a block of a larger matrix: rows do not follow each other
+    Matrix wide = random(int(k.rows()) + 3, 7);  // a block of a larger matrix: its rows are not contiguous
     const Matrix before = wide;
     solver->solve(wide.block(2, 1, k.rows(), 4));
     TEST_COMPARE(difference(k * wide.block(2, 1, k.rows(), 4), before.block(2, 1, k.rows(), 4)), <, 1e-10);
@@ -31,7 +31,7 @@ TEUCHOS_UNIT_TEST(LocalSolver, AllThatAreRegisteredGiveTheDenseAnswer) {
   }
 }
 
-// Amesos2's KLU2 was silently wrong on matrices distributed over ranks: each rank must get the answer to its own matrix.
+// Amesos2's KLU2 was silently wrong on matrices distributed over ranks: each rank must get the solution for its own matrix.
 TEUCHOS_UNIT_TEST(LocalSolver, EveryRankSolvesItsOwnMatrix) {
   const int rank = world()->getRank();
   const Scene scene = clampedSquare(1, 5 + rank, 1.0 + rank);
@@ -40,7 +40,7 @@ TEUCHOS_UNIT_TEST(LocalSolver, EveryRankSolvesItsOwnMatrix) {
   const Matrix rhs = random(int(k.rows()), 3, 7 + rank), expected = dense::solveSymmetric(Matrix(k), rhs);
   for (const std::string& name : Registry<LocalSolver>::instance().names()) {
     const auto solver = localSolver(name)();
-    for (int time = 0; time < 2; ++time) {  // factorise() forgets what was there
+    for (int time = 0; time < 2; ++time) {  // factorise() discards the previous factor
       solver->factorise(time == 0 ? SparseMatrix(2.0 * k) : k);
       Matrix x = rhs;
       solver->solve(x);

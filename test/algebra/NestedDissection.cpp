@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-// Nodes of a grid of squares with both diagonals, in random order, and where they are.
+// Nodes of a grid of squares with both diagonals, in random order, and their coordinates.
 struct Grid {
   Adjacency graph;
   std::vector<Point> places;
@@ -30,7 +30,7 @@ struct Grid {
   }
 };
 
-// Every vertex once, and no block is empty.
+// Every vertex occurs once, and no block is empty.
 void expectOrder(const DissectionOrder& found, int count, bool& success, Teuchos::FancyOStream& out) {
   std::vector<int> sorted(found.order);
   std::sort(sorted.begin(), sorted.end());
@@ -52,8 +52,8 @@ TEUCHOS_UNIT_TEST(NestedDissection, OrdersEveryVertexOnce) {
       }
 }
 
-// A line separates a square of n x n nodes, with one step where the number is odd; half as long, either half. The rest of the square is
-// in two parts of nearly the same size.
+// A line separates a square of n x n nodes, with one step if n is odd; half as long in each half. The rest of the square is in two parts of
+// nearly the same size.
 TEUCHOS_UNIT_TEST(NestedDissection, SeparatesAGridByItsMiddleLine) {
   for (const int n : {30, 31}) {
     const Grid grid(n, n, 5);

@@ -17,7 +17,7 @@ Vector transposed(const PackedColumns& packed, const Vector& x) {
   return y;
 }
 
-// Largest difference relative to what an entry of A x is summed of.
+// Largest difference relative to the sum of magnitudes of an entry of A x.
 double productError(const Matrix& a, const Vector& x, const Vector& y) {
   return ((y - a * x).array().abs() / (a.cwiseAbs() * x.cwiseAbs()).array()).maxCoeff();
 }
@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(PackedColumns, InSinglePrecisionTakesVectorsOfAnySize) {
   Vector broken = x;
   broken(7) = std::numeric_limits<double>::quiet_NaN();
   TEST_ASSERT(transposed(packed, broken).array().isNaN().all());
-  TEST_COMPARE((transposed(packed, x) - a.transpose() * x).norm(), <=, 1e-5 * a.norm() * x.norm());  // and is not remembered
+  TEST_COMPARE((transposed(packed, x) - a.transpose() * x).norm(), <=, 1e-5 * a.norm() * x.norm());  // and is not kept
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Matrix product(const PackedSymmetric& packed, const Matrix& x) {
   return y;
 }
 
-// Largest difference relative to what an entry of A x is summed of.
+// Largest difference relative to the sum of magnitudes of an entry of A x.
 double productError(const Matrix& a, const Matrix& x, const Matrix& y) {
   if (y.size() == 0) return 0.0;
   return ((y - a * x).array().abs() / (a.cwiseAbs() * x.cwiseAbs()).array()).maxCoeff();

@@ -10,7 +10,7 @@
 namespace suture {
 namespace {
 
-// The first columns of a matrix with a dominant diagonal, further apart than they are long.
+// The first columns of a matrix with a dominant diagonal, stored with a leading dimension above their length.
 struct Trapezoid {
   Matrix whole, values;
   Trapezoid(int columns, int rows) : whole(random(rows, rows)), values(Matrix::Constant(rows + 3, columns, 7.0)) {
@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(PartialCholesky, SubtractsTheSquareFromTheLowerTriangle) {
     for (const int columns : {1, 6, 30})
       for (const double share : {0.0, 1.0}) {
         const Matrix panel = saddle::random(rows + 2, columns, 3), before = saddle::random(rows + 1, rows, 4);
-        // Entries that are not asked for are not read.
+        // Entries that are not needed are not read.
         Matrix target = share == 0.0 ? Matrix(Matrix::Constant(rows + 1, rows, std::numeric_limits<double>::quiet_NaN())) : before;
         symmetricRankUpdate(rows, columns, panel.data(), rows + 2, share, target.data(), rows + 1);
         const Matrix square = panel.topRows(rows) * panel.topRows(rows).transpose();

@@ -8,13 +8,14 @@ namespace suture::saddle {
 
 using dense::random;
 
-// Symmetric, semidefinite, with a kernel of the given dimension, its diagonal over some orders of magnitude as with a jump of stiffness.
+// Symmetric, semidefinite, with a kernel of the given dimension; its diagonal varies over some orders of magnitude, as with a jump of
+// stiffness.
 Matrix semidefinite(int n, int kernel, double orders = 4.0);
 
-// Units (corners), averages along stretches, and one row that overlaps a unit and a stretch, not of length one.
+// Units (corners), averages along stretches, and one row, not of unit length, that overlaps a unit and a stretch.
 Matrix rows(int n);
 
-// As one dense system, solved by elimination with full pivoting.
+// Solved as one dense system by elimination with full pivoting.
 struct Saddle {
   Matrix inverse, basis, energy;
   Saddle(const Matrix& s, const Matrix& c);
@@ -22,7 +23,7 @@ struct Saddle {
 
 Matrix applied(const LocalInverse& inverse, const Matrix& flux);
 
-// A user's LocalInverse: apply(), and a basis or none.
+// A user's LocalInverse: apply(), with or without a basis.
 struct Given : LocalInverse {
   Matrix phi;
   void apply(ConstLocalView flux, LocalView trace) const override { trace = flux; }

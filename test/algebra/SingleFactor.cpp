@@ -22,7 +22,7 @@ SparseMatrix gridMatrix(int n, double jump, std::vector<Point>* places = nullptr
   const Blocks all(scene, alone());
   SparseMatrix k = all.subdomains[0]->stiffness().full();
   if (places) *places = placesOfDofs(*all.subdomains[0]);
-  // D K D is definite with K, and as badly scaled as stiffness that jumps.
+  // D K D is definite if K is, and as badly scaled as stiffness with jumps.
   for (int j = 0; j < k.cols(); ++j)
     for (SparseMatrix::InnerIterator it(k, j); it; ++it) it.valueRef() *= (it.row() % 3 ? 1.0 : jump) * (j % 3 ? 1.0 : jump);
   return k;
@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(SingleFactor, SolvesToTheAccuracyOfADoubleOne) {
       factor.solve(SymmetricMatrix(k), x);
       TEST_EQUALITY(x.tail(trailing).norm(), 0.0);
       const Vector residual = (b - k * x).head(leading);
-      const Vector terms = (k.cwiseAbs() * x.cwiseAbs()).head(leading);  // terms that rounding in the residual is relative to
+      const Vector terms = (k.cwiseAbs() * x.cwiseAbs()).head(leading);  // scale of the residual's round-off
       TEST_COMPARE(residual.norm(), <, 1e-13 * terms.norm() + 1e-12 * b.head(leading).norm());
       TEST_COMPARE((x.head(leading) - expected.col(0)).norm(), <, 1e-9 * expected.norm());
       TEST_COMPARE(factor.bytes(), <, 0.55 * whole.statistics().bytes);

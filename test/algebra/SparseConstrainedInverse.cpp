@@ -12,7 +12,7 @@ namespace {
 
 using namespace saddle;
 
-/// Springs along the edges of a grid, of different stiffness: nothing holds it. Its boundary are the nodes on two of its sides.
+/// Springs of different stiffness along the edges of a free grid. Its boundary consists of the nodes on two of its sides.
 struct Springs {
   static constexpr int nx = 7, ny = 6;
   SparseMatrix stiffness{nx * ny, nx* ny};
@@ -49,13 +49,13 @@ LocalSolverMaker cholmod() {
   };
 }
 
-// Nothing holds an unknown alone in the last two cases: the motion is left to the averages.
+// No single unknown is held in the last two cases: only the averages restrain the motion.
 TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsTheDenseOne) {
   const Springs springs;
   const auto n = static_cast<int>(springs.boundary.size());
   for (const auto& [held, others] : {std::pair(2, 0), std::pair(2, 1), std::pair(2, 3), std::pair(0, 1), std::pair(0, 3)}) {
     Matrix c = Matrix::Zero(held + others, n);
-    if (held > 0) c(0, 3) = 2.0, c(1 + others, n - 2) = 1.0;  // these two hold an unknown each
+    if (held > 0) c(0, 3) = 2.0, c(1 + others, n - 2) = 1.0;  // each of these two holds an unknown
     for (int k = 0; k < others; ++k)
       for (int j = 0; j < n; ++j)
         if (j % 3 == k) c(held / 2 + k, j) = 1.0 + 0.1 * j;
@@ -84,7 +84,7 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsTheDenseOne) {
   }
 }
 
-/// Springs along the edges of a cube's grid; its boundary are the nodes on its sides. Large enough for supernodes.
+/// Springs along the edges of a cubic grid; its boundary consists of the nodes on its sides. Large enough for supernodes.
 struct Cube {
   static constexpr int n = 13;
   SparseMatrix stiffness{n * n * n, n* n* n};
@@ -113,13 +113,13 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsKeptInSinglePrecisionWhereThatChan
   const Cube cube(1.0);
   const auto n = static_cast<int>(cube.boundary.size());
   Matrix c = Matrix::Zero(3, n);
-  for (int k = 0; k < n; ++k) c(k % 3, k) = std::sqrt(3.0 / n);  // about of length one, as those of BDDC
+  for (int k = 0; k < n; ++k) c(k % 3, k) = std::sqrt(3.0 / n);  // of about unit length, as in BDDC
   const SparseConstrainedInverse inverse(cube.stiffness, Matrix::Ones(cube.stiffness.rows(), 1), cube.boundary, c, cholmod(), "it");
-  TEST_COMPARE(inverse.bytesRead(), >, 0.0);  // known of factors in single precision only
+  TEST_COMPARE(inverse.bytesRead(), >, 0.0);  // known for factors in single precision only
   const Matrix f = random(n, 11, 5), x = applied(inverse, f);
-  // The bound that the class itself sets: four digits.
+  // The tolerance of the class: four digits.
   TEST_COMPARE((c * x).norm(), <, 2e-4 * x.norm());
-  // K u - f is a force of the constraints on the trace, nothing inside: u the harmonic extension of x.
+  // K u - f is a force of the constraints on the trace and zero inside: u is the harmonic extension of x.
   const std::vector<int> inside = complement(static_cast<int>(cube.stiffness.rows()), cube.boundary);
   const Matrix ib(block(cube.stiffness, inside, cube.boundary)), ii(principalBlock(cube.stiffness, inside));
   const Matrix flux = Matrix(principalBlock(cube.stiffness, cube.boundary)) * x - ib.transpose() * solvePositive(ii, ib * x);
@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsKeptInDoublePrecisionWhereStiffnes
   const Cube cube(1e4);
   const auto n = static_cast<int>(cube.boundary.size());
   Matrix c = Matrix::Zero(3, n);
-  for (int k = 0; k < n; ++k) c(k % 3, k) = std::sqrt(3.0 / n);  // about of length one, as those of BDDC
+  for (int k = 0; k < n; ++k) c(k % 3, k) = std::sqrt(3.0 / n);  // of about unit length, as in BDDC
   const SparseConstrainedInverse inverse(cube.stiffness, Matrix::Ones(cube.stiffness.rows(), 1), cube.boundary, c, cholmod(), "it");
   TEST_EQUALITY(inverse.bytesRead(), 0.0);
   const Matrix x = applied(inverse, random(n, 1, 5));
@@ -147,7 +147,7 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, SaysWhereItIsNot) {
   const auto make = [&](const Matrix& c) {
     SparseConstrainedInverse(springs.stiffness, translation, springs.boundary, c, cholmod(), "it");
   };
-  Matrix difference = Matrix::Zero(1, n);  // tells nothing of the translation
+  Matrix difference = Matrix::Zero(1, n);  // does not fix the translation
   difference(0, 1) = 1.0, difference(0, 4) = -1.0;
   TEST_THROW(make(difference), NumericalError);
   Matrix twice = Matrix::Zero(3, n);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace matrices;
 
-// Some unknowns in an order that has nothing to do with the matrix.
+// Some unknowns in an order unrelated to the matrix.
 std::vector<int> someOf(int n, int count, unsigned seed) {
   std::vector<int> all(n);
   std::iota(all.begin(), all.end(), 0);
@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(StaticCondensation, EqualsDenseElimination) {
 }
 
 TEUCHOS_UNIT_TEST(StaticCondensation, EliminatesAnInteriorInPieces) {
-  // Two bodies that only the boundary joins, one unknown without neighbours, and a node that is half boundary.
+  // Two bodies joined only by the boundary, one unknown without neighbours, and a node that is half boundary.
   Sparse one = floatingBody(5, 4);
   const int n = static_cast<int>(one.rows());
   std::vector<Eigen::Triplet<double>> entries;
@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(StaticCondensation, RefusesASingularInterior) {
   const Vector load = Vector::Zero(a.rows());
   const std::vector<Point> places = placesOfBody(12, 9);
   TEST_THROW(StaticCondensation(SymmetricMatrix(a), load, {}, places), NumericalError);
-  TEST_THROW(StaticCondensation(SymmetricMatrix(a), load, {0, 1}, places), NumericalError);  // may still turn
+  TEST_THROW(StaticCondensation(SymmetricMatrix(a), load, {0, 1}, places), NumericalError);  // may still rotate
   Sparse indefinite = randomDefinite(30, 2);
   indefinite.coeffRef(17, 17) = -1;
   try {
@@ -131,7 +131,7 @@ TEUCHOS_UNIT_TEST(FrontTree, EliminatesEachInteriorUnknownOnce) {
   const FrontTree tree(SymmetricMatrix(a), boundary, placesOfBody(nx, ny));
   const int n = static_cast<int>(a.rows());
   TEST_EQUALITY(tree.interior(), n - static_cast<int>(boundary.size()));
-  TEST_EQUALITY(tree.groups(), n / 2);  // a node is a group
+  TEST_EQUALITY(tree.groups(), n / 2);  // each node is a group
   std::vector<int> seen(tree.unknownAt);
   std::sort(seen.begin(), seen.end());
   for (int i = 0; i < n; ++i) TEST_EQUALITY(seen[i], i);
@@ -146,7 +146,7 @@ TEUCHOS_UNIT_TEST(FrontTree, EliminatesEachInteriorUnknownOnce) {
   TEST_EQUALITY(next, tree.interiorGroups);
 }
 
-// Multiplications that the dense fronts take.
+// Multiplications in the dense fronts.
 double operations(const FrontTree& tree) {
   double sum = 0.0;
   for (const FrontTree::Front& front : tree.fronts) {
@@ -158,17 +158,17 @@ double operations(const FrontTree& tree) {
   return sum;
 }
 
-// CHOLMOD's AMD of the interior with its relaxed supernodes, which this order has replaced, takes 1.62e8 for the same matrix; here 1.03e8.
+// CHOLMOD's AMD of the interior with its relaxed supernodes, which this order replaced, takes 1.62e8 for the same matrix; here 1.03e8.
 TEUCHOS_UNIT_TEST(FrontTree, TakesAThirdFewerOperationsThanMinimumDegree) {
   const int n = 60;
   const Sparse a = floatingBody(n, n);
   const double found = operations(FrontTree(SymmetricMatrix(a), rim(n, n), placesOfBody(n, n)));
   TEST_COMPARE(found, <, 0.7 * 1.62e8);
-  // Places that say nothing of the matrix: right, too, but that is all.
+  // Coordinates unrelated to the matrix: the result is still right.
   TEST_COMPARE(operations(FrontTree(SymmetricMatrix(a), rim(n, n), randomPlaces(static_cast<int>(a.rows()), 1))), >, 2.0 * found);
 }
 
-// LAPACK does not stop at it, and later pivots are numbers again.
+// LAPACK does not stop there, and later pivots are numbers again.
 TEUCHOS_UNIT_TEST(StaticCondensation, NamesAPivotThatIsNoNumber) {
   const int n = 6;
   Sparse a(n, n);

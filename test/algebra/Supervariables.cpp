@@ -9,7 +9,7 @@
 namespace suture {
 namespace {
 
-/// Nodes of a grid, all of a cell coupled, with so many unknowns each; some unknowns are left out, as held ones are.
+/// Nodes of a grid, all nodes of a cell coupled, with the given number of unknowns each; some unknowns are left out, as held ones are.
 struct NodeGrid {
   SparseMatrix matrix;
   std::vector<int> nodeOf;
@@ -33,7 +33,7 @@ struct NodeGrid {
 };
 
 TEUCHOS_UNIT_TEST(Supervariables, AreTheNodes) {
-  // Two nodes lack one and two unknowns; a third is missing whole.
+  // Two nodes lack one and two unknowns; a third is missing completely.
   const NodeGrid grid(4, 3, 3, 3, {10, 30, 31, 60, 61, 62});
   const Supervariables nodes(grid.matrix, static_cast<int>(grid.matrix.rows()));
   TEST_EQUALITY(nodes.count(), 4 * 3 * 3 - 1);

@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-// Every entry with the given probability; whether entries on the diagonal are there is chance, too.
+// Each entry exists with the given probability, including diagonal entries.
 SparseMatrix sparse(int n, double density, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0), chance(0.0, 1.0);

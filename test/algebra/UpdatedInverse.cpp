@@ -1,4 +1,4 @@
-// Inverses under other constraints than those they were made for, against the saddle problem solved anew.
+// Inverses updated to other constraints, against a new solution of the saddle problem.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <suture/algebra/ConstrainedInverse.hpp>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace saddle;
 
-// The constraints that rows(n) become: row k is row from[k] of it, or a new one.
+// The constraints after a change of rows(n): row k is row from[k] of it, or a new one.
 Matrix changed(int n, const std::vector<int>& from) {
   const Matrix old = rows(n), others = random(int(from.size()), n, 11);
   Matrix c(from.size(), n);
@@ -34,9 +34,9 @@ TEUCHOS_UNIT_TEST(UpdatedInverse, IsTheSaddleProblemsSolution) {
     double orders, rounding;  // the last one is kept in single precision
   };
   const std::vector<std::vector<int>> changes{{0, 1, 2, 3, 4},                               // nothing
-                                              {4, 2, 0, 1, 3},                               // their order
-                                              {0, 1, 2, 4},        {0, 2, 4},                // some less
-                                              {0, 1, 2, 3, 4, -1}, {-1, 0, 1, -1, 2, 3, 4},  // some more
+                                              {4, 2, 0, 1, 3},                               // reordered
+                                              {0, 1, 2, 4},        {0, 2, 4},                // fewer
+                                              {0, 1, 2, 3, 4, -1}, {-1, 0, 1, -1, 2, 3, 4},  // more
                                               {0, 1, 2, -1, 4},    {-1, 4, 2, -1, 0, -1}};   // both
   for (const auto& [n, kernel, orders, rounding] :
        {Case{14, 0, 1.0, 1e-10}, Case{14, 1, 1.0, 1e-10}, Case{14, 3, 1.0, 1e-10}, Case{210, 1, 0.0, 1e-5}})
@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(UpdatedInverse, IsTheSaddleProblemsSolution) {
       TEST_COMPARE((values - found->basis().transpose() * flux).norm(), <, 1e-13 * found->basis().norm() * flux.norm());
       found->addBasis(coefficients, trace);
       TEST_COMPARE((trace - flux - found->basis() * coefficients).norm(), <, 1e-13 * found->basis().norm() * coefficients.norm());
-      // the base's inverse and what was added to it, but not its basis
+      // the base's inverse and its updates, but not its basis
       const auto kept = static_cast<int>(std::count_if(from.begin(), from.end(), [](int row) { return row >= 0; }));
       TEST_EQUALITY(found->bytesRead() > base(n, kernel, orders)->bytesRead(), kept < 5 || from.size() > 5);
       TEST_COMPARE(found->basisBytesRead(), >, 0.0);
@@ -94,20 +94,20 @@ TEUCHOS_UNIT_TEST(UpdatedInverse, IsRefusedWhereItWouldBeInaccurate) {
   // two rows hold no kernel of dimension three
   TEST_ASSERT(UpdatedInverse::make(base(n, 3, 1.0), {0, 3}, changed(n, {0, 3})) == nullptr);
   TEST_ASSERT(UpdatedInverse::make(base(n, 1, 1.0), {}, Matrix(0, n)) == nullptr);
-  // a new row that follows from others: of the base, of a new one
+  // a new row that depends on others: of the base, of a new one
   Matrix c = changed(n, {0, 1, 2, 3, 4, -1});
   c.row(5) = c.row(1) - 2.0 * c.row(3);
   TEST_ASSERT(UpdatedInverse::make(base(n, 1, 1.0), {0, 1, 2, 3, 4, -1}, c) == nullptr);
   Matrix d = changed(n, {0, 1, 2, 3, 4, -1, -1});
   d.row(6) = d.row(5) + 1e-9 * d.row(0);
   TEST_ASSERT(UpdatedInverse::make(base(n, 1, 1.0), {0, 1, 2, 3, 4, -1, -1}, d) == nullptr);
-  // the same in single precision, of which rounding leaves more
+  // the same in single precision, which leaves more round-off
   Matrix large = changed(210, {0, 1, 2, 3, 4, -1});
   large.row(5) = large.row(1) - 2.0 * large.row(3);
   TEST_ASSERT(UpdatedInverse::make(base(210, 1, 0.0), {0, 1, 2, 3, 4, -1}, large) == nullptr);
   large.row(5) += 0.1 * random(1, 210, 6);
   TEST_ASSERT(UpdatedInverse::make(base(210, 1, 0.0), {0, 1, 2, 3, 4, -1}, large) != nullptr);
-  // an inverse of a user's that tells no energies
+  // a user's inverse that provides no energies
   const auto given = std::make_shared<Given>();
   given->phi = random(n, 2, 3);
   TEST_ASSERT(UpdatedInverse::make(given, {0, 1}, random(2, n, 4)) == nullptr);

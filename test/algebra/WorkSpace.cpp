@@ -12,7 +12,7 @@ TEUCHOS_UNIT_TEST(WorkSpace, ASingleColumnLiesInWhatIsKept) {
   TEST_EQUALITY(large.values.rows(), 100);
   TEST_EQUALITY(large.values.data(), kept.data());
   const std::size_t size = kept.size();
-  for (const int rows : {100, 7, 0}) {  // not taken again, and never given back
+  for (const int rows : {100, 7, 0}) {  // neither reallocated nor shrunk
     const WorkSpace again(rows, 1, kept);
     TEST_EQUALITY(again.values.rows(), rows);
     TEST_EQUALITY(again.values.data(), kept.data());

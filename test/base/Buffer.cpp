@@ -18,7 +18,7 @@ TEUCHOS_UNIT_TEST(Buffer, GivesBackWhatWasPutInTheSameOrder) {
   packer.put(true);
 
   Unpacker unpacker(packer.bytes());
-  // Into variables first: TEST_EQUALITY evaluates what it is given more than once.
+  // Read into variables first: TEST_EQUALITY evaluates its arguments more than once.
   const int number = unpacker.get<int>();
   const auto text = unpacker.get<std::string>();
   const auto reals = unpacker.get<std::vector<double>>();
@@ -47,7 +47,7 @@ TEUCHOS_UNIT_TEST(Buffer, RefusesToReadBeyondTheEnd) {
 
 TEUCHOS_UNIT_TEST(Buffer, RefusesALengthThatTheMessageCannotHold) {
   Packer packer;
-  packer.put(std::numeric_limits<std::size_t>::max() / 4);  // times eight bytes it would wrap around to a small number
+  packer.put(std::numeric_limits<std::size_t>::max() / 4);  // times eight bytes this wraps around to a small number
   packer.put(1.0);
   TEST_THROW(Unpacker(packer.bytes()).get<std::vector<double>>(), InternalError);
   TEST_THROW(Unpacker(packer.bytes()).get<std::vector<std::string>>(), InternalError);

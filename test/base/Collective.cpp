@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(Collective, BroadcastGivesRootsTextToAll) {
   TEST_ASSERT((values == std::vector<double>{1.5, 1.5, 1.5}));
 }
 
-/// A string of every length and content of its own, some empty.
+/// Strings of different length and content, some empty.
 std::string of(int rank) { return std::string(rank % 2 == 0 ? 3 * rank : 0, static_cast<char>('a' + rank)); }
 
 TEUCHOS_UNIT_TEST(Collective, GatherKeepsTheOrderOfRanks) {
@@ -166,7 +166,7 @@ TEUCHOS_UNIT_TEST(Collective, ScatterThatFailsHalfWayFailsEverywhere) {
 
 TEUCHOS_UNIT_TEST(Collective, MessagesLongerThanOneRoundArriveWhole) {
   const CommPtr comm = world();
-  const std::size_t length = (std::size_t(1) << 26) + 5;  // one round is 2^26 bytes a rank
+  const std::size_t length = (std::size_t(1) << 26) + 5;  // one round is 2^26 bytes per rank
   const int last = comm->getSize() - 1;
   std::string mine(comm->getRank() == last ? length : 2, static_cast<char>('a' + comm->getRank()));
   mine.back() = '!';
@@ -202,7 +202,7 @@ TEUCHOS_UNIT_TEST(Collective, SendFillsTheVectorOfAnotherRank) {
 TEUCHOS_UNIT_TEST(Collective, ExchangeSwapsStringsWithNeighboursOnly) {
   const CommPtr comm = world();
   const int rank = comm->getRank(), ranks = comm->getSize();
-  // a ring with itself; what goes from a to b says so, and is as long as a + 5 b, sometimes empty
+  // ring with itself; the text from a to b names both ranks and has the length a + 5 b, sometimes zero
   const auto text = [](int from, int to) {
     return std::string(from == 1 ? 0 : from + 5 * to, 'x') + (from == 1 ? "" : std::to_string(100 * from + to));
   };
@@ -214,7 +214,7 @@ TEUCHOS_UNIT_TEST(Collective, ExchangeSwapsStringsWithNeighboursOnly) {
     TEST_EQUALITY(to.count(other), 1u);
     TEST_EQUALITY(bytes, text(other, rank));
   }
-  // those without neighbours need not take part
+  // ranks without neighbours need not take part
   if (rank < 2 && ranks > 1) {
     const auto pair = swapWithNeighbours(*comm, {{1 - rank, std::to_string(rank)}});
     TEST_EQUALITY(pair.size(), 1u);
@@ -226,7 +226,7 @@ TEUCHOS_UNIT_TEST(Collective, ExchangeSwapsStringsWithNeighboursOnly) {
 TEUCHOS_UNIT_TEST(Collective, ExchangeCarriesLongMessagesBothWays) {
   const CommPtr comm = world();
   const int rank = comm->getRank(), ranks = comm->getSize();
-  std::map<int, std::string> to;  // longer than what is sent eagerly: a naive order of sends and receives would wait for ever
+  std::map<int, std::string> to;  // longer than the eager limit: a naive order of sends and receives would deadlock
   for (int other = 0; other < ranks; ++other) to[other] = std::string((std::size_t(1) << 20) + rank, static_cast<char>('a' + rank));
   for (const auto& [other, bytes] : swapWithNeighbours(*comm, to))
     TEST_ASSERT(bytes == std::string((std::size_t(1) << 20) + other, static_cast<char>('a' + other)));
@@ -237,7 +237,7 @@ TEUCHOS_UNIT_TEST(Collective, UnionOverRanksIsSortedAndHasNothingTwice) {
   const int rank = comm->getRank(), ranks = comm->getSize();
   std::vector<int> expected{-7};
   for (int r = 0; r <= ranks; ++r) expected.push_back(10 * r);
-  // neighbours share a number, all share -7, in no order and twice
+  // neighbours share a number, all share -7; unordered, with duplicates
   TEST_ASSERT(unionOverRanks(*comm, {10 * (rank + 1), -7, 10 * rank, 10 * rank}) == expected);
   TEST_ASSERT(unionOverRanks(*comm, {}).empty());
   TEST_ASSERT(unionOverRanks(*comm, rank == ranks - 1 ? std::vector<int>{3} : std::vector<int>{}) == std::vector<int>{3});

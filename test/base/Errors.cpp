@@ -69,7 +69,7 @@ TEUCHOS_UNIT_TEST(Errors, AreCutWhereAValueIsLong) {
   TEST_INEQUALITY(said.find("Bodies/" + std::string(100, 'x')), std::string::npos);
   TEST_COMPARE(std::string(EnvironmentError("a\n" + std::string(200, 'y') + "\n" + large).what()).size(), <, 500);
   TEST_EQUALITY(shortened(said), said);  // a message may pass through several errors
-  // Short words stay, however many they are, up to a line of 4000 characters.
+  // Short words are kept, in any number, up to a line of 4000 characters.
   std::string names;
   for (int i = 0; i < 300; ++i) names += "group_" + std::to_string(i) + ", ";
   TEST_EQUALITY(shortened(names), names);

@@ -162,7 +162,7 @@ TEUCHOS_UNIT_TEST(Expression, MayBeAFunctionOfTheProgram) {
 
 }  // namespace
 
-// In space a function of three coordinates; in the plane z is a name as any other.
+// In 3D an expression depends on three coordinates; in 2D z is a name like any other.
 TEUCHOS_UNIT_TEST(Expression, KnowsZInSpace) {
   Constants space;
   space.dimension = 3;

@@ -18,14 +18,14 @@ TEUCHOS_UNIT_TEST(ForceScale, IsTheForceOfABodyThatIsLoaded) {
 }
 
 TEUCHOS_UNIT_TEST(ForceScale, LendsToIdleBodiesAlsoBehindOthersThatCarryNothing) {
-  // A loaded body beside a chain of three that carry rounding.
+  // A loaded body next to a chain of three bodies that carry only round-off.
   const auto scales =
       ForceScale::of({carrying(1e-18), carrying(1e-17), carrying(1e-16), loaded(10.0)}, {}, Neighbours{{0, 1}, {1, 2}, {2, 3}});
   for (int b = 0; b < 3; ++b) TEST_FLOATING_EQUALITY(scales[b].force, 1e-2, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(ForceScale, LendsNoMoreThanTheNeighbourHasWhereItCarriesMore) {
-  // The middle body carries a hundredth of the load on to the last one.
+  // The middle body passes a hundredth of the load to the last one.
   const auto scales = ForceScale::of({carrying(1e-9), carrying(0.1), loaded(10.0)}, {}, Neighbours{{0, 1}, {1, 2}});
   TEST_FLOATING_EQUALITY(scales[1].force, 0.1, 1e-12);
   TEST_FLOATING_EQUALITY(scales[0].force, 1e-4, 1e-12);
@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(ForceScale, IsRoundingOfThePathWhereNothingActsAnyMore) {
   const std::vector<BodyForces> past{loaded(5.0), carrying(5.0), carrying(0.0)};
   const auto scales = ForceScale::of({carrying(1e-14), carrying(1e-14), carrying(0.0)}, past, Neighbours{{0, 1}, {1, 2}});
   for (int b = 0; b < 3; ++b) TEST_FLOATING_EQUALITY(scales[b].rounded, 5e-12, 1e-12);
-  // Small loads are loads, and rounding of a factor that should be zero is none.
+  // Small loads count as loads; round-off in a load factor that should be zero does not.
   TEST_EQUALITY(ForceScale::of({loaded(1e-8)}, {loaded(5.0)}, {})[0].rounded, 0.0);
   TEST_FLOATING_EQUALITY(ForceScale::of({loaded(1e-16)}, {loaded(5.0)}, {})[0].rounded, 5e-12, 1e-12);
 }

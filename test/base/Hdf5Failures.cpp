@@ -1,4 +1,4 @@
-// HDF5 files that are refused, damaged, or cannot be written.
+// HDF5 files that are invalid, damaged, or cannot be written.
 #include <sys/resource.h>
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -41,8 +41,8 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesWhatIsNoWholeHdf5File) {
   removeOnRoot(cut);
 }
 
-// The heap of texts of variable length, damaged as "HDF5 File Format Specification", III.E, allows to: an object that is free and has no
-// size kept HDF5 1.10 walking for ever (found by attack.py, mutant 402 of seed 22).
+// The heap of variable-length strings, damaged as "HDF5 File Format Specification", III.E, allows: HDF5 1.10 looped for ever over a free
+// object of size zero (found by attack.py, mutant 402 of seed 22).
 TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesTextsOfADamagedHeap) {
   const CommPtr comm = world();
   const std::string path = nameOf("heap");
@@ -73,8 +73,8 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesTextsOfADamagedHeap) {
   }
 }
 
-// A full disk, played by a limit for the size of files; it is lifted before the file goes, which HDF5 makes as long as it was meant to be.
-// Pieces are small enough for HDF5 to keep some of them back.
+// A full disk, simulated by a limit on file sizes; the limit is lifted before the file is closed, since HDF5 then extends it to its full
+// length. Pieces are small enough that HDF5 keeps some of them in its cache.
 TEUCHOS_UNIT_TEST(Hdf5Failures, TellsThatTheDiskIsFullWhilePiecesAreWritten) {
   const CommPtr comm = world();
   const std::string path = nameOf("full");
@@ -109,7 +109,7 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, TellsThatTheDiskIsFullWhilePiecesAreWritten) {
   removeOnRoot(path);
 }
 
-// The sum does not depend on who wrote which rows, and any changed bit shows.
+// The sum does not depend on which rank wrote which rows, and detects any changed bit.
 TEUCHOS_UNIT_TEST(Hdf5Failures, BlamesDamagedNumbersOnTheFile) {
   const CommPtr comm = world();
   const std::string path = nameOf("sum");
@@ -152,7 +152,7 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesMisuseOnAllRanks) {
   TEST_THROW(file.write("B", std::vector<int>{1}), InternalError);
   TEST_THROW(file.attribute("/C", "Unit", 1.0), InternalError);
   TEST_THROW(file.readInts("/A"), InternalError);
-  // One rank whose rows are not whole fails all of them, and none waits.
+  // If the rows of one rank are incomplete, all ranks fail and none waits.
   TEST_THROW(file.write("/D", std::vector<int>(comm->getRank() == comm->getSize() - 1 ? 3 : 4), 2), InternalError);
 }
 

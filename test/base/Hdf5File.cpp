@@ -1,4 +1,4 @@
-// HDF5 files as they are written and read.
+// Writing and reading HDF5 files.
 #include <sys/resource.h>
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -46,11 +46,11 @@ TEUCHOS_UNIT_TEST(Hdf5File, RowsOfAllRanksFollowEachOther) {
   TEST_EQUALITY(file.readGlobalIds("/Group/Ids").back(), (GlobalId(1) << 40) + ranks - 1);
   TEST_EQUALITY(file.readInts("/Group/Bytes").back(), 250 + ranks - 1);
   TEST_ASSERT(file.readReals("/Group/Empty").empty());
-  TEST_EQUALITY(file.readReals("/Group/Ints")[0], 0.0);  // whole numbers are numbers
+  TEST_EQUALITY(file.readReals("/Group/Ints")[0], 0.0);  // integers are read as numbers
   removeOnRoot(path);
 }
 
-// Longer than what is written at once, by some ranks only, and no multiple of it.
+// Longer than one write, on some ranks only, and no multiple of it.
 TEUCHOS_UNIT_TEST(Hdf5File, LongRowsComeBackWhole) {
   const CommPtr comm = world();
   const int rank = comm->getRank(), ranks = comm->getSize();
@@ -122,7 +122,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, HasNoTimeOfItsMaking) {
     return std::string(std::istreambuf_iterator<char>(bytes), {});
   };
   const std::string first = written();
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 counts seconds
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 stores seconds
   comm->barrier();
   TEST_ASSERT(!first.empty());
   TEST_ASSERT(written() == first);
@@ -182,7 +182,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, SaysWhatIsMissingAndWhatIsThere) {
   removeOnRoot(path);
 }
 
-// Each rank gives its rows in pieces of its own, and two datasets in turn.
+// Each rank writes its rows in pieces of different size, alternately to two datasets.
 TEUCHOS_UNIT_TEST(Hdf5File, TakesRowsPieceByPiece) {
   const CommPtr comm = world();
   const std::string path = nameOf("pieces");
@@ -214,8 +214,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, TakesRowsPieceByPiece) {
   removeOnRoot(path);
 }
 
-// The disk is full before anything is written: the whole room of a dataset is reserved when it is made, on rank 0, and all ranks hear of
-// it.
+// The disk is full before anything is written: rank 0 reserves the space of a dataset when it creates it, and all ranks get the error.
 TEUCHOS_UNIT_TEST(Hdf5File, ReservesTheRoomOfADatasetWhenItIsMade) {
   const CommPtr comm = world();
   const std::string path = nameOf("reserved");

@@ -17,7 +17,7 @@ using namespace suture;
 
 inline CommPtr world() { return Teuchos::DefaultComm<int>::getComm(); }
 
-/// One name a number of ranks, since ctest may run them at the same time.
+/// One name per number of ranks, since ctest may run them at the same time.
 inline std::string nameOf(const std::string& what) { return "hdf5file_" + what + "_" + std::to_string(world()->getSize()) + ".h5"; }
 
 inline void removeOnRoot(const std::string& path) {

@@ -13,7 +13,7 @@ class Recorder : public Monitor {
   std::vector<int> iterations;
 };
 
-/// A solver as it sees its observer.
+/// A solver's view of its observer.
 void iterate(Monitor& monitor) {
   monitor.note("starts");
   monitor.auxiliary(AuxiliaryRow());

@@ -18,7 +18,7 @@ TEUCHOS_UNIT_TEST(Point, HasThreeComponents) {
   TEST_FLOATING_EQUALITY(norm({3e200, 4e200, 0}), 5e200, 1e-15);  // squares do not overflow
 }
 
-// Lagrange's identity and orthogonality: what z contributes is not lost.
+// Lagrange's identity and orthogonality: the contribution of z is not lost.
 TEUCHOS_UNIT_TEST(Point, CrossProductsAreOrthogonalToBothFactors) {
   const Point a{0.3, -1.7, 2.9}, b{4.1, 0.2, -0.6}, c = cross(a, b);
   TEST_COMPARE(std::abs(dot(a, c)) + std::abs(dot(b, c)), <, 1e-14);

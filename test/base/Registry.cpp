@@ -3,7 +3,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
-// A kind of strategies in a package of its own: its registerBuiltIns is found although Registry knows nothing of the namespace.
+// A kind of strategy in a separate package: its registerBuiltIns is found although Registry knows nothing of the namespace.
 namespace zoo {
 
 struct Animal {
@@ -34,7 +34,7 @@ namespace {
 using namespace suture;
 using Animals = Registry<zoo::Animal>;
 
-// As a user's shared library does it: while the program is loaded, before anybody has asked for a built-in.
+// Registers as a user's shared library does: while the program is loaded, before any built-in is used.
 const Registration<zoo::Animal> cat("Cat", Schema("a cat"), [](const Parameters&) { return std::make_unique<zoo::Cat>(); });
 
 TEUCHOS_UNIT_TEST(Registry, KnowsBuiltInsAndAddedOnes) {

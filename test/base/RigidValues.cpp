@@ -12,7 +12,7 @@ TEUCHOS_UNIT_TEST(RigidValues, AreThoseOfAQuarterTurnInThePlane) {
   TEST_ASSERT((rigidValues(2, {3, 4, 0}, {0, 1, 0}, {0, 0, 5}) == std::array<double, 6>{0, 1, 8, 0, 0, 0}));
 }
 
-// About the third axis x goes to y and y to -x; so on in a circle.
+// About the third axis x becomes y and y becomes -x; the other axes follow cyclically.
 TEUCHOS_UNIT_TEST(RigidValues, TurnAboutEachAxisInSpace) {
   TEST_EQUALITY(rigidMotions(3), 6);
   const Point arm{2, 3, 5};
@@ -31,7 +31,7 @@ TEUCHOS_UNIT_TEST(RigidValues, TurnAboutEachAxisInSpace) {
   }
 }
 
-// direction . (t + w x arm), whatever the direction
+// direction . (t + w x arm) for any direction
 TEUCHOS_UNIT_TEST(RigidValues, ArePartsOfTheDisplacement) {
   const double amplitudes[6] = {0.3, -0.7, 1.1, 2.0, -0.4, 0.9};
   const Point arm{0.2, -1.5, 0.8}, direction{0.6, 0.0, -0.8};

@@ -1,4 +1,4 @@
-// Everything a scene file can do wrong, and the traps of Teuchos' own reader (doc/numerics.md): each is an error here.
+// All possible errors of a scene file, and the traps of Teuchos' own reader (doc/numerics.md): each is an error here.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <base/SceneTexts.hpp>
 

@@ -1,4 +1,4 @@
-// Values of a scene file, overrides, and the same on every rank.
+// Values of a scene file and overrides, the same on every rank.
 #include <Teuchos_Array.hpp>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_DefaultComm.hpp>
@@ -89,13 +89,13 @@ TEUCHOS_UNIT_TEST(SceneReader, NotesParametersOfChoicesThatAreNotTaken) {
   TEST_EQUALITY(notes(depth, {"Outer Solver/Type=Chord"}), "");
   TEST_EQUALITY(notes("", {"Outer Solver/Chord/Depth=5"}),
                 "Outer Solver/Chord/Depth has no effect: Outer Solver/Type is 'Newton', not 'Chord'\n");
-  // A default that is written out, as --print-defaults does, says nothing.
+  // A default that is written out, as --print-defaults does, causes no note.
   TEST_EQUALITY(notes(chord + depth + list("Newton", parameter("Inner Tolerance", "double", "0.01"))), "");
   TEST_EQUALITY(notes(chord + depth + list("Newton", parameter("Inner Tolerance", "double", "0.02"))),
                 "Outer Solver/Newton/Inner Tolerance has no effect: Outer Solver/Type is 'Chord', not 'Newton'\n");
 }
 
-// The choice may be a default that fits the rest of the scene, its parameters may stand beside it, and it may be within another one.
+// The choice may be a default that fits the rest of the scene, its parameters may be next to it, and it may be nested in another choice.
 TEUCHOS_UNIT_TEST(SceneReader, NotesKnowChoicesThatFitAndStandBesideAndAreWithinOthers) {
   Schema schema("a scene");
   schema.boolean("Contact", true, "or none")
@@ -206,7 +206,7 @@ TEUCHOS_UNIT_TEST(SceneReader, RefusesBadOverrides) {
 
 // Collective reading ----------------------------------------------------------------------------------------------------------------
 
-/// Message of readScene's error; says so if it is not the same on every rank.
+/// Message of readScene's error; a note instead if the message differs between ranks.
 std::string errorOfFile(const Comm& comm, const std::string& path, const std::vector<std::string>& overrides = {}) {
   std::string mine;
   try {
@@ -220,7 +220,7 @@ std::string errorOfFile(const Comm& comm, const std::string& path, const std::ve
   return mine;
 }
 
-/// A file that only rank 0 needs to see.
+/// A file that only rank 0 can see.
 class Written {
  public:
   Written(const Comm& comm, const std::string& text) : comm_(comm), path("scene_" + std::to_string(comm.getSize()) + ".xml") {
@@ -273,7 +273,7 @@ TEUCHOS_UNIT_TEST(SceneReader, EveryRankThrowsTheSameForAMissingFile) {
   TEST_EQUALITY(errorOfFile(*comm, "."), ".: is a folder; expected an XML file");
 }
 
-// Neither the parser nor what is made of its answer may see these: both call themselves for each level.
+// Neither the parser nor the consumers of its result may see these: both recurse for each level.
 TEUCHOS_UNIT_TEST(SceneReader, RefusesWhatIsTooDeep) {
   for (const int depth : {51, 20000, 1000000}) {
     std::string text;

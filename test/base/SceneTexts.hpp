@@ -63,7 +63,7 @@ inline SceneFile parse(const std::string& text, const std::vector<std::string>& 
   return parseScene(text, "dir/scene.xml", sceneSchema(), overrides);
 }
 
-/// The whole message of the error, or "" if there was none.
+/// The full error message, or "" if there was none.
 inline std::string errorOf(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     parse(text, overrides);

@@ -52,8 +52,8 @@ TEUCHOS_UNIT_TEST(Schema, ParametersOfAChoiceMayStandBesideIt) {
                     rich = "<Parameter name=\"Type\" type=\"string\" value=\"Rich\"/>";
   TEST_EQUALITY(errorOf(modulus), "");
   TEST_EQUALITY(errorOf(""), "Modulus: is missing and has no default: stiffness (expected a number)");
-  TEST_EQUALITY(errorOf(rich), "");            // not demanded of another choice
-  TEST_EQUALITY(errorOf(rich + modulus), "");  // nor refused, as lists of choices not taken
+  TEST_EQUALITY(errorOf(rich), "");            // not required by another choice
+  TEST_EQUALITY(errorOf(rich + modulus), "");  // nor refused, like lists of other choices
   TEST_ASSERT(laws.document("text").find("Modulus  (double, required with Type Plain) stiffness") != std::string::npos);
 }
 

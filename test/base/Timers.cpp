@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(Timers, PeakMemoryFallsWhenItIsReset) {
     TEST_COMPARE(peakMemoryMb(), >, 96.0 * block[block.size() / 2]);
   }
   const double before = peakMemoryMb();
-  if (!resetPeakMemory()) return;  // a container may not allow it
+  if (!resetPeakMemory()) return;  // a container may forbid it
   TEST_COMPARE(peakMemoryMb(), <, before - 64.0);
 }
 

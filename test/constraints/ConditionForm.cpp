@@ -1,4 +1,4 @@
-// Forms of the types of boundary conditions: what is missing, what is too much, and the springs that hold bodies.
+// Parameters of the types of boundary conditions: missing ones, superfluous ones, and springs that hold bodies.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/constraints/ConditionForm.hpp>
 #include <suture/constraints/RigidMotion.hpp>
@@ -44,7 +44,7 @@ TEUCHOS_UNIT_TEST(ConditionForm, HoldsABodyByElasticSupportsAsFarAsTheyReach) {
   TEST_EQUALITY(freeMotions({{"Tangential Stiffness", "1.0"}}).cols(), 2);
 }
 
-// Values, components and expressions of three directions.
+// Values, components and expressions for three directions.
 TEUCHOS_UNIT_TEST(ConditionForm, HasAnEntryForEachDirectionInSpace) {
   Box box;
   box.name = "b0";
@@ -101,8 +101,8 @@ TEUCHOS_UNIT_TEST(ConditionForm, HoldsABodyInSpaceByElasticSupportsAsFarAsTheyRe
   const RigidPart slides = freeMotions("Normal Stiffness");
   TEST_EQUALITY(slides.free.cols(), 3);  // two translations along the bed and the rotation about its normal
   TEST_COMPARE(slides.free.row(2).norm() + slides.free.row(3).norm() + slides.free.row(4).norm(), <, 1e-12);
-  TEST_EQUALITY(freeMotions("Tangential Stiffness").free.cols(), 3);  // off the bed, and turning about lines in it
+  TEST_EQUALITY(freeMotions("Tangential Stiffness").free.cols(), 3);  // off the bed, and rotations about lines in it
   Vector turn = Vector::Zero(6);
-  turn[5] = 1.0, turn[1] = -0.5;  // the point half a radius from the centre along x stays
+  turn[5] = 1.0, turn[1] = -0.5;  // the point half a radius from the centre along x does not move
   SUTURE_CHECK_SAYS(inWords(slides, turn, 3), "turn about the axis (0, 0, 1) through (0.933, 0.5, 0.5)");
 }

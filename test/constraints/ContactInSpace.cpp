@@ -1,4 +1,4 @@
-// Pieces, rims, frames and rows of contacts in space.
+// Pieces, rims, frames and rows of 3D contacts.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <pairing/SpaceScenes.hpp>
 #include <suture/base/Point.hpp>
@@ -53,7 +53,7 @@ TEUCHOS_UNIT_TEST(ContactInSpace, HasAPieceForEachConnectedPart) {
   }
 }
 
-// The contact ends in the middle of both faces: beyond there they go on. Elsewhere it ends with the faces.
+// The contact ends in the middle of both faces, which continue there. Elsewhere it ends with the faces.
 TEUCHOS_UNIT_TEST(ContactInSpace, IsOpenAtTheRimWhereBothBoundariesGoOn) {
   for (const Cell cell : {Cell::Hexahedron8, Cell::Tetrahedron4, Cell::Hexahedron27}) {
     Mesh mesh = facing(cell, 4, 2, cell, 4, 2, 0.0);
@@ -89,7 +89,7 @@ TEUCHOS_UNIT_TEST(ContactInSpace, GivesItsNodesTheNormalAndTwoTangents) {
       TEST_FLOATING_EQUALITY(q.determinant(), 1.0, 1e-14);
     }
     TEST_EQUALITY(framed, upper == Cell::Hexahedron8 ? 24 : 12 + 35);
-    // A row is the gap of every displacement: here of one that is linear in the place.
+    // A row gives the gap for any displacement: here for a linear one.
     const auto u = [](const Point& p) -> Point { return {0.1 * p[0] - 0.2 * p[2], 0.3 * p[1], 0.05 * p[0] + 0.2 * p[1]}; };
     std::map<int, const NodeRule*> rules;
     for (const NodeRule& rule : constraints.rules) rules[rule.node] = &rule;
@@ -102,12 +102,12 @@ TEUCHOS_UNIT_TEST(ContactInSpace, GivesItsNodesTheNormalAndTwoTangents) {
       }
       for (const PairEnd& end : row.pair.ends) expected += end.weight * dot(row.pair.normal, u(mesh.point(end.node)));
       TEST_COMPARE(std::abs(of - expected), <, 1e-13);
-      TEST_EQUALITY(normal.dofs.size(), row.pair.ends.size());  // one coefficient on a node whose axes are the pair's
+      TEST_EQUALITY(normal.dofs.size(), row.pair.ends.size());  // one coefficient on a node that has the pair's axes
     }
   }
 }
 
-// A block on three symmetry planes of a floor turns and slides no more; on contact alone six motions are free.
+// A block on three symmetry planes of a floor cannot rotate or slide; on contact alone six motions are free.
 TEUCHOS_UNIT_TEST(ContactInSpace, LeavesSixMotionsOfABodyThatOnlyContactHolds) {
   const Mesh mesh = facing(Cell::Hexahedron8, 2, 2, Cell::Hexahedron8, 2, 2, 0.0);
   const std::vector<Contact> contact{Contact::between("lower_top", "upper_bottom")};

@@ -35,8 +35,8 @@ TEUCHOS_UNIT_TEST(ContactLaw, FrictionlessPairsAreClosedWhereTheProjectedForcePr
   TEST_THROW(law.project(trial(std::numeric_limits<double>::quiet_NaN(), 0.0), {}), NumericalError);
 }
 
-// Contract of every law: a pair that is pressed without slip is closed; its state is the projection of its own force; one that is pulled
-// opens if the law lets it; the decision does not depend on the unit of force; rows are one or as many as the space has dimensions.
+// Contract of every law: a pair that is pressed without slip is closed; its state is the projection of its force; a pair that is pulled
+// opens if the law allows it; the decision does not depend on the unit of force; the number of rows is one or the dimension.
 TEUCHOS_UNIT_TEST(ContactLaw, EveryRegisteredLawKeepsTheContract) {
   TEST_ASSERT(Registry<ContactLaw>::instance().has(Frictionless::kName));
   for (const std::string& name : Registry<ContactLaw>::instance().names()) {
@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(ContactLaw, EveryRegisteredLawKeepsTheContract) {
 const Registration<ContactLaw> rough("Rough", Schema("What is pressed sticks."),
                                      [](const Constants&, const Parameters&) { return std::make_unique<RoughLaw>(); });
 
-// A user's law is chosen by its name, contact by contact; a scene that names none is frictionless.
+// A user's law is chosen by name for each contact; a scene that names none is frictionless.
 TEUCHOS_UNIT_TEST(ContactLaw, IsChosenByItsNameInTheScene) {
   Schema schema("scene");
   schema.list("Contact", Schema("lines").each("<line>", contactSchema()));
@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(ContactLaw, IsChosenByItsNameInTheScene) {
   TEST_THROW(lawsOf(line("first", law + "Ruogh\"/>")), InputError);
 }
 
-// A state that the law may not answer with is told at once.
+// A state that the law does not have is an error at once.
 TEUCHOS_UNIT_TEST(ContactLaw, RefusesAnswersThatAreNoState) {
   struct Wrong : RoughLaw {
     ContactState answer;

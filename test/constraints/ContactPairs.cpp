@@ -10,7 +10,7 @@ using namespace constraintstesting;
 namespace {
 
 // Both bodies of a stack bent to rings about the origin: body 0 from radius 1 to 2 (top outside), body 1 beyond. `whole`: nodes of the two
-// ends are one. Angle grows with -x, so that elements stay positive.
+// ends are merged. The angle grows with -x, so that elements stay positive.
 Mesh rings(int nx, double sweep, double clearance) {
   Mesh mesh = stack(2, nx);
   for (int body = 0; body < 2; ++body)
@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(ContactPairs, MatchACylinderOverAPlaneByTheSameX) {
     TEST_EQUALITY(mesh.point(pair.ends[0].node)[0], mesh.point(pair.ends[1].node)[0]);
     const double x = pair.position[0] - 2;
     if (pair.id == 0 || pair.id == 64) continue;
-    // along the way between the nodes, which lies between the normals of the two sides: forces along it have no moment
+    // along the line between the nodes, which lies between the normals of the two sides: forces along it have no moment
     TEST_COMPARE(std::abs(pair.normal[0]), <, 1e-9);
     TEST_FLOATING_EQUALITY(pair.gap + 1, lift(x + 2) + 1, 1e-12);
   }
@@ -243,7 +243,7 @@ TEUCHOS_UNIT_TEST(BuildConstraints, NamesEveryBodyThatNothingHolds) {
 }
 
 TEUCHOS_UNIT_TEST(ContactPieces, AreOneForEachConnectedPart) {
-  // the joint's middle elements are not named: two parts
+  // the middle elements of the joint are not named: two parts
   Mesh mesh = stack(2);
   for (const char* name : {"b0_top", "b1_bottom"}) {
     std::vector<Side>& sides = mesh.sideGroups[name];
@@ -282,7 +282,7 @@ TEUCHOS_UNIT_TEST(ContactPieces, AreOneForLinesThatTouch) {
   TEST_EQUALITY(constraints.pieces[0].name, "east + west");
   TEST_EQUALITY(constraints.pairs.front().line, 0);
   TEST_EQUALITY(constraints.pairs.back().line, 1);
-  // the shared node is in two pairs: no axes of its own
+  // the shared node is in two pairs: Cartesian axes
   TEST_ASSERT(ruleAt(constraints, nodeAt(mesh, 0, 2, 1)) == nullptr);
   TEST_ASSERT(ruleAt(constraints, nodeAt(mesh, 0, 1, 1)) != nullptr);
 }

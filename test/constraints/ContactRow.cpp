@@ -11,7 +11,7 @@ using namespace constraintstesting;
 
 namespace {
 
-/// Random displacements that obey the rules: Cartesian ones of each node, and the same in the axes of the nodes.
+/// Random displacements that satisfy the rules: Cartesian ones of each node, and the same in the axes of the nodes.
 struct Motion {
   std::vector<Point> cartesian;
   std::map<GlobalId, double> local;
@@ -134,8 +134,8 @@ TEUCHOS_UNIT_TEST(ContactRow, BelongsToTheClusterOfRowsThatShareAnUnknown) {
       pairOf(0, 1, 2, 0.3),   pairOf(1, 8, 9, 0.3),    pairOf(2, 3, 4, 0.3),  // three apart,
       pairOf(3, 4, 2, 0.4),                                                   // the first and the third joined by this one
       pairOf(4, 9, 10, -0.7),                                                 // and the second longer
-      pairOf(5, 11, 12, 0.0), pairOf(6, 12, 13, half),                        // a node in common but no unknown: along x and along y
-      pairOf(7, 20, 21, 0.0), pairOf(8, 21, 22, 0.0),                         // a node in common whose x is held
+      pairOf(5, 11, 12, 0.0), pairOf(6, 12, 13, half),                        // a common node but no common unknown: along x and along y
+      pairOf(7, 20, 21, 0.0), pairOf(8, 21, 22, 0.0),                         // a common node whose x is held
       pairOf(9, 23, 24, 0.0),
   };
   ruleFor(constraints, 21).fixed[0] = true;
@@ -144,7 +144,7 @@ TEUCHOS_UNIT_TEST(ContactRow, BelongsToTheClusterOfRowsThatShareAnUnknown) {
   TEST_COMPARE_ARRAYS(clusters, (std::vector<int>{0, 1, 0, 0, 1, 5, 6, 7, 8, 9}));
 }
 
-// With a law that restricts sliding a row along the tangent is there: u_A - u_B along (-n_y, n_x), prescribed parts taken out.
+// If the law restricts sliding, there is a row along the tangent: u_A - u_B along (-n_y, n_x), prescribed parts eliminated.
 TEUCHOS_UNIT_TEST(ContactRow, HasTangentsWhereTheLawRestrictsSliding) {
   Mesh mesh = stack(2);
   moveAll(mesh, [](Point p) -> Point { return {p[0] * 0.8 - p[1] * 0.6, p[0] * 0.6 + p[1] * 0.8, 0}; });
@@ -167,7 +167,7 @@ TEUCHOS_UNIT_TEST(ContactRow, HasTangentsWhereTheLawRestrictsSliding) {
   }
 }
 
-// Both sides on one plane of symmetry: nothing slides across it. Held on one side only, the other rubs along it.
+// Both sides on one plane of symmetry: nothing slides across it. If only one side is held, the other slides along it.
 TEUCHOS_UNIT_TEST(ContactRow, SlidesNowhereAcrossAPlaneOfSymmetry) {
   const Mesh mesh = stack(2);
   for (const bool both : {true, false}) {
@@ -190,7 +190,7 @@ TEUCHOS_UNIT_TEST(ContactRow, SlidesNowhereAcrossAPlaneOfSymmetry) {
   }
 }
 
-// Glued sides stand as they are meshed; sides that are guided or rub close the gap that the mesh has. Rows know which pairs can part.
+// Glued sides stay as meshed; guided or frictional sides close the gap of the mesh. Rows know which pairs can separate.
 TEUCHOS_UNIT_TEST(ContactRow, HasNoGapWhereTheLawTakesTheSidesAsTheyStand) {
   const Mesh mesh = stack(2);
   Constraints before = build(mesh, bilateral("roller", "b0_left"), contact("line", "b0_top", "b1_bottom"));

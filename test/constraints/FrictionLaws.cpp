@@ -16,7 +16,7 @@ std::unique_ptr<ContactLaw> lawNamed(const std::string& name, const std::vector<
   return Registry<ContactLaw>::instance().make(name, constants, own);
 }
 
-/// Random trials of closed pairs, in the plane and in space, many of them near the cone.
+/// Random trials of closed pairs, in 2D and 3D, many of them near the cone.
 ContactTrial randomTrial(std::mt19937& random, int dimension) {
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   ContactTrial trial;
@@ -25,7 +25,7 @@ ContactTrial randomTrial(std::mt19937& random, int dimension) {
   return trial;
 }
 
-/// Tangential force of a state's projection of a trial.
+/// Tangential force after a state's projection of a trial.
 Point tangentialPart(const ContactState& state, const ContactTrial& trial) {
   Point part{0, 0, 0};
   if (!state.closed()) return part;
@@ -36,7 +36,7 @@ Point tangentialPart(const ContactState& state, const ContactTrial& trial) {
   return part;
 }
 
-// A projection p of t onto a convex set: (t - p).(q - p) <= 0 for all q of the set, here a disc (in the plane an interval).
+// p is the projection of t onto a convex set if (t - p).(q - p) <= 0 for all q of the set, here a disc (in 2D an interval).
 TEUCHOS_UNIT_TEST(FrictionLaws, StatesAreProjectionsOntoTheDisc) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, TakeBoundsAndCoefficientsFromExpressions) {
              coulomb = lawNamed("Coulomb", {{"Coefficient", "y"}, {"Cohesion", "x^2"}});
   const ContactState bounded = tresca->project(trial, {}), rubs = coulomb->project(trial, {});
   TEST_FLOATING_EQUALITY(bounded.largest(2.0), 0.25 * 28.0, 1e-15);
-  TEST_FLOATING_EQUALITY(bounded.largest(1e6), 0.25 * 28.0, 1e-15);  // whatever the pressure
+  TEST_FLOATING_EQUALITY(bounded.largest(1e6), 0.25 * 28.0, 1e-15);  // for any pressure
   TEST_ASSERT(!bounded.drags());
   TEST_FLOATING_EQUALITY(rubs.largest(2.0), 0.25 * 9.0 + 0.5 * 2.0, 1e-15);
   TEST_FLOATING_EQUALITY(rubs.largest(-2.0), 0.25 * 9.0, 1e-15);
@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, RefuseNegativeCoefficientsAndBounds) {
   TEST_THROW(lawNamed("Coulomb", {{"Coefficient", "mu"}}), InputError);
 }
 
-// A bound may be a function that the contact alone has values of: who asks for the normal direction alone does not need one.
+// The bound may be a function of place that only the contact can evaluate; it is not needed for the normal direction.
 TEUCHOS_UNIT_TEST(FrictionLaws, AskForNoBoundWithoutAPlace) {
   const auto law = lawNamed("Coulomb", {{"Coefficient", "sqrt(x - 1)"}});
   TEST_ASSERT(law->pressed().status == PairStatus::Stick);
@@ -140,7 +140,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, AskForNoBoundWithoutAPlace) {
   TEST_FLOATING_EQUALITY(law->project(trial, {}).friction, 0.4, 1e-14);
 }
 
-// Without a bound nothing holds: a pair with any tangential trial force slips, in its direction, without force.
+// A zero bound holds nothing: a pair with any tangential trial force slips, in its direction, without force.
 TEUCHOS_UNIT_TEST(FrictionLaws, WithoutABoundEveryPushSlides) {
   const auto law = lawNamed("Coulomb", {});
   ContactTrial trial;

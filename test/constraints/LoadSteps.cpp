@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, APoleOfAFactorIsNamedWithItsTime) {
   SUTURE_CHECK_SAYS(saidBy([&] { path.at(2); }), "infinite at t = 2");
 }
 
-/// A square whose right side is moved by one condition along x and by another along y, the top along y by a third.
+/// A square whose right side is moved along x by one condition and along y by another, its top along y by a third.
 std::vector<Condition> moved(int along, int across, int top, double value = 0.5) {
   std::vector<Condition> all{Condition::displacement("b0_right", {2}, {0}), Condition::displacement("b0_right", {value}, {1}),
                              Condition::displacement("b0_top", {0.5}, {1})};
@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, ConditionsThatMeetMustAgreeAtAllTimes) {
     nodalRules(mesh, conditions, problems, supports, parts);
     return [problems] { problems.throwIfAny(); };
   };
-  contradict(moved(1, 2, 2))();  // where b and c meet they are the same at all times
+  contradict(moved(1, 2, 2))();  // where b and c meet they are equal at all times
   SUTURE_CHECK_SAYS(saidBy(contradict(moved(1, 2, 1))), "Load Steps/Factors");
   SUTURE_CHECK_SAYS(saidBy(contradict(moved(1, 2, 2, 0.25))), "'b' makes it 0.25");
 }

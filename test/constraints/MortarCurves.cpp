@@ -1,4 +1,4 @@
-// Mortar pairs on curves: gaps, forces and moments, doubts, interference.
+// Mortar pairs on curves: gaps, forces and moments, uncertainties, interference.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/Surface.hpp>
@@ -14,8 +14,8 @@ namespace {
 
 using namespace constraintstesting;
 
-// Quarters of rings, 12 elements of the outer one with the radius 2 + gap, 17 of the inner one with the radius 2. Of the outer one only a
-// part from one end.
+// Quarters of rings, 12 elements of the outer one with the radius 2 + gap, 17 of the inner one with the radius 2. The outer one may be cut
+// to a part from one end.
 Mesh twoRings(Cell outer, Cell inner, double gap, double part = 1) {
   Mesh mesh = twoBoxes(0, 4 * part, 12, 17, outer, inner);
   const auto bend = [](double inner) {
@@ -39,7 +39,7 @@ double largestGapError(const Constraints& constraints, double gap) {
   return error;
 }
 
-// The gap is the difference of the radii, up to the chords' distance from their arcs.
+// The gap is the difference of the radii, up to the distance of the chords from their arcs.
 TEUCHOS_UNIT_TEST(MortarCurves, FindsTheGapBetweenCurvedSides) {
   for (const Cell cell : {P1, P2})
     for (const std::string carrier : {"Side A", "Side B"}) {
@@ -51,9 +51,9 @@ TEUCHOS_UNIT_TEST(MortarCurves, FindsTheGapBetweenCurvedSides) {
         const Point radial = unit(mesh.point(pair.node()));
         TEST_COMPARE(norm(minus(radial, {-pair.normal[0], -pair.normal[1], 0})), <, cell == P1 ? 0.1 : 0.005);
       }
-      TEST_FLOATING_EQUALITY(length, carrier == "Side A" ? 1.05 * pi : pi, cell == P1 ? 1e-2 : 1e-3);  // leaning normals at the ends
-      // Seen along the constant normal of a row, the gap grows with the angle to the element's other end. Two-node elements have a
-      // curvature between the two.
+      TEST_FLOATING_EQUALITY(length, carrier == "Side A" ? 1.05 * pi : pi, cell == P1 ? 1e-2 : 1e-3);  // inclined normals at the ends
+      // Along the constant normal of a row, the gap grows with the angle to the element's other end. Two-node elements have a curvature
+      // between the two.
       TEST_COMPARE(largestGapError(constraints, 0.1), <, cell == P1 ? 5e-4 : 2e-4);
     }
   const double sagitta = 2.1 * (1 - std::cos(pi / 2 / 12 / 2));
@@ -87,7 +87,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, LeavesStraightSidesToTheLastBit) {
   }
 }
 
-/// Moment of a pair's unit force on both bodies, over the size of the scene: ends at their places.
+/// Moment of a pair's unit force on both bodies, divided by the size of the scene: ends at their places.
 double momentOf(const Mesh& mesh, const ContactPair& pair) {
   double moment = 0;
   for (const PairEnd& end : pair.ends) moment += end.weight * cross(mesh.point(end.node), pair.normal)[2];
@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, BalancesForcesAndMomentsOfEachPair) {
   std::vector<Mesh> meshes;
   for (const Cell cell : {P1, P2})
     for (const double gap : {0.0, 0.1, -0.05}) meshes.push_back(twoRings(cell, gap));
-  for (const Case& c : cases) {  // bent where the sides cover each other in part, with a gap
+  for (const Case& c : cases) {  // curved where the sides overlap partly, with a gap
     Mesh mesh = twoBoxes(c.x0, c.x1, c.upperCells, c.lowerCells, c.upper, c.lower);
     move(mesh, 0, [](Point p) { return Point{p[0], p[1] + 0.05 * std::pow(p[0] - 2, 2), 0}; });
     meshes.push_back(mesh);
@@ -107,7 +107,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, BalancesForcesAndMomentsOfEachPair) {
     for (const std::string carrier : {"Side A", "Side B"})
       for (const ContactPair& pair : build(mesh, held, mortar(carrier)).pairs) {
         TEST_COMPARE(std::abs(sum(mesh, pair, 0, [](Point) { return 1.0; }) + sum(mesh, pair, 1, [](Point) { return 1.0; })), <, 1e-12);
-        TEST_COMPARE(momentOf(mesh, pair), <, 2e-11);  // ends of a weight below 1e-12 are left out
+        TEST_COMPARE(momentOf(mesh, pair), <, 2e-11);  // ends with a weight below 1e-12 are left out
       }
 }
 
@@ -118,7 +118,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, IsCarriedByTheCoarserSideWhereLinearElementsMeet
   TEST_EQUALITY(carrier(twoBoxes(0, 4, 12, 17, P1, P1)), 1);  // straight
   TEST_EQUALITY(carrier(twoRings(P1, P2, 0.1)), 0);           // linear elements against such that bend
   TEST_EQUALITY(carrier(twoRings(P2, P1, 0.1)), 1);
-  // A fine shoe that the coarse ring covers wholly: the pressure ends with the shoe, unless this is much finer.
+  // A fine shoe covered completely by the coarse ring: the pressure ends with the shoe, unless the shoe is much finer.
   TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.5)), 0);   // 12 elements on half of 17
   TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.25)), 1);  // on a quarter
 }
@@ -137,7 +137,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, WarnsOfAFinerSideThatIsToldToCarryOnACurve) {
   TEST_EQUALITY(warnings(twoRings(P1, P1, 0.1, 0.25), "Automatic"), 0);
 }
 
-// At the point where a crowned side touches, the linear function nearest to the gap is below zero: no interference. Deeper than that it is
+// At the point where a crowned side touches, the linear function nearest to the gap is below zero: no interference. A deeper overlap is
 // one.
 TEUCHOS_UNIT_TEST(MortarCurves, CallsTouchingCurvesNoInterference) {
   for (const std::string carrier : {"Side A", "Side B"})
@@ -157,8 +157,8 @@ TEUCHOS_UNIT_TEST(MortarCurves, DoubtsParabolasWhereTheCurvatureChanges) {
     Mesh mesh = twoBoxes(0, 4, cells, cells + 5, P2, P2);
     moveAll(mesh, [&](Point p) { return Point{p[0], p[1] + a * std::cos(2 * pi * p[0]), 0}; });
     const Constraints waves = build(mesh, held, mortar("Side A"), {[](const Mesh&, int) { return 0.5; }, ""});
-    // 2.4 E* times the second difference of the gaps, over h: the doubt that the true gaps, which are zero, would have given. A thirteenth
-    // of it remains in pressures.
+    // 2.4 E* times the second difference of the gaps, over h: the uncertainty that the true gaps, which are zero, would have given. A
+    // thirteenth of it remains in pressures.
     double exact = 0;
     for (std::size_t i = 1; i + 1 < waves.pairs.size(); ++i) {
       const double h = 2.0 / cells;
@@ -170,7 +170,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, DoubtsParabolasWhereTheCurvatureChanges) {
   }
 }
 
-// Estimated pressures are those of the material along the sides, whatever is behind it.
+// Estimated pressures use the material along the sides, independent of the material behind it.
 TEUCHOS_UNIT_TEST(MortarCurves, DoubtsPressuresByTheMaterialAlongTheSides) {
   const Mesh mesh = twoRings(P1, 0.1);
   std::set<int> along;
@@ -198,7 +198,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, ReportsInterferenceAsDrawn) {
   if (!given.notes.empty()) SUTURE_CHECK_SAYS(given.notes[0], "given interference 1.0e-02");
   for (const Cell cell : {P1, P2})
     for (const double gap : {0.0, 0.1}) TEST_EQUALITY(build(twoRings(cell, gap), held, mortar()).notes.size(), 0u);
-  // Elements that cut into each other between nodes on one arc: an effect of the facets that were asked for, no interference.
+  // Elements on one arc that overlap between nodes: an effect of the facets, which the scene requested, no interference.
   TEST_EQUALITY(build(twoRings(P1, 0), held, withGeometry("Side A", "Facets")).notes.size(), 0u);
 }
 

@@ -1,4 +1,4 @@
-// Mortar pairs: what the conditions say of displacements and gaps that are known everywhere.
+// Mortar pairs: conditions for displacements and gaps that are known everywhere.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/Surface.hpp>
@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, HasTheLengthOfWhatTheSidesShare) {
     }
 }
 
-// Forces of a constant pressure: each node gets what its own shape function takes in over the shared length, on either side. With the
+// Forces of a constant pressure: each node gets the integral of its shape function over the shared length, on either side. With the
 // trapezoidal rule of the hat functions where the other side covers all of it.
 TEUCHOS_UNIT_TEST(MortarPairs, PassesAConstantPressureOnToBothSides) {
   for (const Case& c : {cases[0], cases[1], cases[2], cases[5], cases[6], cases[7]}) {
@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, PassesAConstantPressureOnToBothSides) {
     std::map<int, double> force;
     for (const ContactPair& pair : build(mesh, held, mortar("Side A")).pairs)
       for (const PairEnd& end : pair.ends) force[end.node] += end.weight * pair.length;
-    const bool inside = c.x0 > 0;  // then only the upper side is covered as a whole
+    const bool inside = c.x0 > 0;  // then only the upper side is covered completely
     for (const auto& [group, sign] : {std::make_pair("upper_bottom", 1.0), std::make_pair("lower_top", -1.0)}) {
       if (inside && sign < 0) continue;
       const Surface surface(mesh, mesh.sideGroups.at(group));
@@ -73,7 +73,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, PassesAConstantPressureOnToBothSides) {
 }
 
 // Forces act at the positions of their pairs, none of them beyond the end of the partner, and have the resultant and the moment of a
-// uniform pressure over what the sides share.
+// uniform pressure over the shared part of the sides.
 TEUCHOS_UNIT_TEST(MortarPairs, HandsOnWhatThePartnerDoesNotReach) {
   for (const Case& c : cases)
     for (const std::string carrier : {"Side A", "Side B"}) {
@@ -146,7 +146,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, DoesNotChangeWhenTheSceneIsTurned) {
 
 TEUCHOS_UNIT_TEST(MortarPairs, TakesTheGapOfAnExpression) {
   const Mesh mesh = twoBoxes(0, 4, 8, 13, P1, P1);
-  // psi_j is biorthogonal, so that a linear gap has its nodal values.
+  // psi_j is biorthogonal, so that a linear gap takes its nodal values.
   for (const ContactPair& pair : build(mesh, held, mortar("Side A", {{"Initial Gap", "0.01 * x + y - 1"}})).pairs)
     TEST_FLOATING_EQUALITY(pair.gap + 1, 0.01 * pair.position[0] + 1, 1e-12);
 }
@@ -157,7 +157,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, IsChosenWhereNodesDoNotMatchAndSaysSo) {
   TEST_EQUALITY(constraints.pairs.size(), 14u);  // pairs of the finer side
   TEST_EQUALITY(constraints.notes.size(), 1u);
   SUTURE_CHECK_SAYS(constraints.notes[0], "contact 'joint': the nodes of its sides do not match; mortar, carried by 'lower_top'");
-  // Carrying nodes have the axes of their pair, the others the mean of theirs.
+  // Carrying nodes have the axes of their pair, the others the mean of their pairs' axes.
   for (const ContactPair& pair : constraints.pairs)
     for (const PairEnd& end : pair.ends) {
       const NodeRule* rule = ruleAt(constraints, end.node);

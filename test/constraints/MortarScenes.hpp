@@ -3,7 +3,7 @@
 
 namespace constraintstesting {
 
-/// Two boxes one on the other, the upper one from x0 to x1, the lower from 0 to 4, with so many cells.
+/// Two boxes stacked, the upper one from x0 to x1, the lower from 0 to 4, with the given number of cells.
 inline Mesh twoBoxes(double x0, double x1, int upperCells, int lowerCells, Cell upper, Cell lower) {
   Box above, below;
   above.name = "upper";
@@ -35,7 +35,7 @@ inline const Case cases[] = {{0, 4, 8, 13, P1, P1},     {0, 4, 40, 3, P1, P1},  
                              {-0.7, 3.3, 8, 8, P1, P1}, {0, 4, 8, 13, P2, P2},         {0, 4, 7, 5, P2, P1},         {0, 4, 5, 8, P1, Q8},
                              {-0.7, 3.3, 8, 9, P2, P2}, {-0.001, 3.999, 8, 8, P1, P1}, {-0.001, 3.999, 8, 8, P2, P2}};
 
-/// Sum over the ends of a pair that lie on a body of weight times f(place).
+/// Sum of weight times f(place) over the ends of a pair that lie on a body.
 inline double sum(const Mesh& mesh, const ContactPair& pair, int body, const std::function<double(Point)>& f) {
   double all = 0;
   for (const PairEnd& end : pair.ends)

@@ -9,7 +9,7 @@ using namespace constraintstesting;
 
 namespace {
 
-// u at a node whose rule fixes it wholly.
+// u at a node whose rule fixes it completely.
 Point fixedValue(const NodeRule& rule) {
   Point u{0, 0, 0};
   for (int k = 0; k < 2; ++k)
@@ -39,7 +39,7 @@ TEUCHOS_UNIT_TEST(NodalRules, PrescribeDisplacementsByComponent) {
 TEUCHOS_UNIT_TEST(NodalRules, HoldTheAxisOfBodiesOfRevolution) {
   Mesh mesh = stack(1);
   for (std::size_t i = 0; i < mesh.coordinates.size(); i += 2)
-    if (mesh.coordinates[i] == 0.0) mesh.coordinates[i] = 1e-16;  // as a mesher may leave it
+    if (mesh.coordinates[i] == 0.0) mesh.coordinates[i] = 1e-16;  // as a mesher may produce it
   makeAxisymmetric(mesh);
   const Constraints alone = build(mesh, displacement("floor", "b0_bottom", "0.5", "y"));
   int axis = 0;
@@ -109,7 +109,7 @@ TEUCHOS_UNIT_TEST(NodalRules, TreatASharpCornerOfOneGroupAsTwoRows) {
 }
 
 TEUCHOS_UNIT_TEST(NodalRules, AverageTheNormalsOfACurvedWallAlsoAcrossTwoGroups) {
-  // the bottom becomes an arc of radius 4 about (2, 5); half of it is named otherwise
+  // the bottom becomes an arc of radius 4 about (2, 5); half of it has another name
   Mesh mesh = stack(1, 16);
   moveAll(mesh, [](Point p) -> Point {
     const double angle = (p[0] - 2) / 4, r = 4 - p[1];
@@ -128,7 +128,7 @@ TEUCHOS_UNIT_TEST(NodalRules, AverageTheNormalsOfACurvedWallAlsoAcrossTwoGroups)
     TEST_ASSERT(axesOf(whole.rules[i], 2).isApprox(axesOf(parts.rules[i], 2), 1e-14));
     TEST_ASSERT(whole.rules[i].fixed == parts.rules[i].fixed);
     const Point p = mesh.point(whole.rules[i].node);
-    if (std::abs(p[0] - 2) > 1.7) continue;  // the ends have one side only
+    if (std::abs(p[0] - 2) > 1.7) continue;  // the ends have only one side
     ++inner;
     // radial; for a Cartesian rule (in the middle) the fixed axis is the second
     const Point& n = whole.rules[i].fixed[0] ? whole.rules[i].axes[0] : whole.rules[i].axes[1];
@@ -138,7 +138,7 @@ TEUCHOS_UNIT_TEST(NodalRules, AverageTheNormalsOfACurvedWallAlsoAcrossTwoGroups)
 }
 
 TEUCHOS_UNIT_TEST(NodalRules, FixANodeByTwoObliqueRows) {
-  // a roller leaning 45 degrees to the bottom, with u_x given there: u_y follows
+  // a roller inclined by 45 degrees to the bottom, with u_x given there: u_y follows
   Mesh mesh = stack(1);
   moveAll(mesh, [](Point p) -> Point { return {p[0] - p[1], p[1], 0}; });
   const Constraints constraints = build(mesh, bilateral("lean", "b0_right") + displacement("pull", "b0_bottom", "0.5", "x"));
@@ -253,10 +253,10 @@ TEUCHOS_UNIT_TEST(NodalRules, TellWhereADisplacementIsNotFinite) {
   SUTURE_CHECK_SAYS(text, "Boundary Conditions/push/Expression y: 'sqrt(x - 10)' is not a number (nan) at (x, y) = (");
 }
 
-/// The force that holds a node goes to the conditions behind its rule: each along its own direction, and all of it.
+/// The force that holds a node is distributed to the conditions behind its rule: each along its own direction, completely.
 TEUCHOS_UNIT_TEST(NodalRules, ShareTheForceOfANodeAmongTheirConditions) {
   Mesh mesh = stack(1);
-  moveAll(mesh, [](Point p) -> Point { return {p[0] + 0.5 * p[1], p[1], 0}; });  // sides that lean
+  moveAll(mesh, [](Point p) -> Point { return {p[0] + 0.5 * p[1], p[1], 0}; });  // inclined sides
   const Constraints all = build(mesh, bilateral("wall", "b0_left") + displacement("floor", "b0_bottom", "0", "y") +
                                           displacement("same floor", "b0_bottom", "0", "y") + displacement("push", "b0_right", "{0, 0}"));
   TEST_EQUALITY(all.conditions.size(), 4);

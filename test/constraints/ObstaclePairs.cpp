@@ -97,7 +97,7 @@ TEUCHOS_UNIT_TEST(ObstaclePairs, LinearisesTheConditionOnAGraph) {
   }
 }
 
-// A flat side on a small bump: beyond it nodes see it aside, and cannot touch it.
+// A flat side on a small bump: beyond it nodes see it obliquely, and cannot touch it.
 TEUCHOS_UNIT_TEST(ObstaclePairs, LeavesOutNodesThatSeeTheObstacleAside) {
   const Mesh mesh = box();
   for (const double x : {0.0, 0.25, -1.0}) {
@@ -115,7 +115,7 @@ TEUCHOS_UNIT_TEST(ObstaclePairs, LeavesOutNodesThatSeeTheObstacleAside) {
     TEST_EQUALITY(bump.notes.size(), 1u);
     SUTURE_CHECK_SAYS(bump.notes[0], std::to_string(9 - expected.size()) + " of the 9 nodes of 'b_bottom' see the obstacle more than 60");
   }
-  // Beyond its end the side lies inside a wall: that is no scene.
+  // Beyond x = 0.6 the side lies inside a wall: the scene is invalid.
   SUTURE_CHECK_SAYS(said(mesh, held, against("Height", entry("Height", {{"Expression", "x > 0.6 ? 8 * (x - 0.6) : 0"}}))),
                     "'b_bottom' does not face the obstacle");
 }

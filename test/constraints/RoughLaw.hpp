@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/ContactLaw.hpp>
 
-/// A law with rows along the tangents, for tests: what is pressed sticks.
+/// A law with rows along the tangents, for tests: pressed pairs stick.
 class RoughLaw : public suture::ContactLaw {
  protected:
   bool doRestrictsSliding() const override { return true; }

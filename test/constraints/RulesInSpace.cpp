@@ -1,4 +1,4 @@
-// Nodal rules in space against dense least squares, symmetry and rotation.
+// 3D nodal rules against dense least squares, symmetry and rotation.
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -34,7 +34,7 @@ int nodeAt(const Mesh& mesh, const Point& place) {
   return -1;
 }
 
-/// Part of a node's displacement that its rule gives.
+/// Part of a node's displacement that its rule prescribes.
 Vector given(const NodeRule& rule) {
   Vector u = Vector::Zero(3);
   for (int k = 0; k < 3; ++k)
@@ -63,7 +63,8 @@ Matrix rotation(const Point& axis, double angle) {
 
 }  // namespace
 
-// Rollers on the three sides of a sheared cube, and components given there: at each node as many directions as meet there, at any angles.
+// Rollers on the three sides of a sheared cube, and components given there: at each node the rule fixes as many directions as meet there,
+// at any angles.
 TEUCHOS_UNIT_TEST(RulesInSpace, GiveTheLeastSquaresSolutionOfOneToThreeObliqueDirections) {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> some(-0.6, 0.6);
@@ -73,14 +74,14 @@ TEUCHOS_UNIT_TEST(RulesInSpace, GiveTheLeastSquaresSolutionOfOneToThreeObliqueDi
       for (int j = 0; j < 3; ++j) shape(i, j) += trial == 0 ? 0.0 : some(generator);
     if (shape.determinant() < 0.1) continue;
     const Matrix outward = shape.inverse().rowwise().normalized();
-    if (trial == 0 || outward.row(0).dot(outward.row(1)) > 0.7) continue;  // sides nearly in one plane are one
+    if (trial == 0 || outward.row(0).dot(outward.row(1)) > 0.7) continue;  // sides nearly in one plane count as one
     Mesh mesh = cube(1);
     moveAll(mesh, [&](Point p) { return times(shape, p); });
     const int given0 = (trial + 2) % 3;  // z of the straight cube, where x and y would be given twice
     const double value = 0.3;
     // The normals are the rows of the inverse: left is x = 0, front y = 0, bottom z = 0 before the shear.
     const Matrix normals = shape.inverse().rowwise().normalized();
-    if (normals.row(0).dot(normals.row(1)) > 0.7) continue;  // sides that meet at less than 45 degrees have one normal
+    if (normals.row(0).dot(normals.row(1)) > 0.7) continue;  // sides that meet at less than 45 degrees share one normal
     const Constraints constraints = buildConstraints(
         mesh, {Condition::displacement("b0_top", {value}, {given0}), Condition::bilateral("b0_left"), Condition::bilateral("b0_front")},
         {});
@@ -147,7 +148,7 @@ TEUCHOS_UNIT_TEST(RulesInSpace, AverageTheNormalsOfACurvedFaceAndKeepThoseOfSymm
     const Matrix held = heldBy(rule);
     if (below) TEST_COMPARE((held * Vector::Unit(3, 2) - Vector::Unit(3, 2)).norm(), <, 1e-14);
     if (onPlane) TEST_COMPARE((held * Vector::Unit(3, 0) - Vector::Unit(3, 0)).norm(), <, 1e-14);
-    if (!onCurve || onPlane || std::abs(p[1]) < 1e-9) continue;  // ends have one side only
+    if (!onCurve || onPlane || std::abs(p[1]) < 1e-9) continue;  // ends have only one side
     ++inner, edges += below;
     Vector radial(3);
     radial << p[0] / r, p[1] / r, 0;
@@ -159,7 +160,7 @@ TEUCHOS_UNIT_TEST(RulesInSpace, AverageTheNormalsOfACurvedFaceAndKeepThoseOfSymm
   TEST_EQUALITY(corners, 0);
 }
 
-// Rules of a turned mesh are the turned rules.
+// Rules of a rotated mesh are the rotated rules.
 TEUCHOS_UNIT_TEST(RulesInSpace, TurnWithTheBody) {
   Matrix shear = Matrix::Identity(3, 3);
   shear(0, 1) = 0.4, shear(1, 2) = -0.3, shear(2, 0) = 0.2;
@@ -196,7 +197,7 @@ TEUCHOS_UNIT_TEST(RulesInSpace, TellContradictionsWithThreeComponents) {
   SUTURE_CHECK_SAYS(saidOf({pull, Condition::displacement("b0_front", {0.0}, {3})}), "expected components between 0 and 2");
 }
 
-// The force that holds a node goes to the conditions behind its rule: each along its own direction, and all of it.
+// The force that holds a node is distributed to the conditions behind its rule: each along its own direction, completely.
 TEUCHOS_UNIT_TEST(RulesInSpace, ShareTheForceOfANodeAmongTheirConditions) {
   Mesh mesh = cube();
   Matrix shear = Matrix::Identity(3, 3);

@@ -107,7 +107,7 @@ TEUCHOS_UNIT_TEST(SeveralBodies, MayBeOnBothSidesOfOneContact) {
 }
 
 TEUCHOS_UNIT_TEST(SeveralBodies, MatchPartByPart) {
-  // Two blocks under two others, as one contact: part after part in the order of side A.
+  // Two blocks under two others, as one contact: its parts follow the order of side A.
   Box box;
   std::vector<Box> all;
   for (const char* name : {"a", "b", "c", "d"}) {

@@ -1,4 +1,4 @@
-// The constraints of the paper's model problem, against what its geometry says. Needs SUTURE_GMSH.
+// The constraints of the paper's model problem, against its geometry. Needs SUTURE_GMSH.
 #include <suture/reader/gmsh/GmshReader.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -6,7 +6,7 @@ namespace {
 
 using namespace constraintstesting;
 
-/// Two blocks [0, 4] x [0, 1] and [0, 4] x [1, 2]; of the sides between them those left of x = 2 are groups of their own, and the others.
+/// Two blocks [0, 4] x [0, 1] and [0, 4] x [1, 2]; the sides between them form two groups per block, left and right of x = 2.
 Mesh blocks(Cell cell = Cell::Triangle3) {
   Mesh mesh = stack(2, 8, cell);
   for (const std::string name : {"b0_top", "b1_bottom"})

@@ -8,7 +8,7 @@ namespace {
 
 using scenes::dry;
 
-/// A body that is pressed against the ground by interference alone and may slide along the first tangent.
+/// A body pressed against the ground by interference alone that may slide along the first tangent.
 CondensedBody pressedBody(std::mt19937& random, int dimension, int nodes) {
   CondensedBody body(dimension, nodes);
   body.random(random, false);
@@ -23,8 +23,8 @@ CondensedBody pressedBody(std::mt19937& random, int dimension, int nodes) {
   return body;
 }
 
-/// Load along the kernel, beside what friction holds, where all pairs slip under a multiple of it: by equations in which a force along the
-/// kernel, spread over the nodes, takes the difference.
+/// Load along the kernel, in addition to what friction holds, if all pairs slip under a multiple of it: by equations in which a force along
+/// the kernel, spread over the nodes, makes up the difference.
 double beyondFriction(const CondensedBody& body, double friction) {
   const int d = body.dimension, n = d * body.nodes;
   Matrix a = Matrix::Zero(2 * n + 1, 2 * n + 1);
@@ -97,7 +97,7 @@ TEUCHOS_UNIT_TEST(Collapse, IsNamedByTheSearch) {
   }
 }
 
-// Statics knows these normal forces: an obstacle on the way may hold the body, and where the motion closes pairs nothing is said.
+// These normal forces follow from statics: an obstacle on the way may hold the body, and if the motion closes pairs nothing is reported.
 TEUCHOS_UNIT_TEST(Collapse, SaysNothingWhereBodiesMeetOthers) {
   std::mt19937 random(23);
   CondensedBody body = pressedBody(random, 2, 6);

@@ -21,7 +21,7 @@ struct CondensedBody : FrictionOracle {
   std::vector<FrictionSite> sites;
   std::unique_ptr<RigidContact> rigid;
   int solves = 0;
-  bool strange = false;  // a pair was given a state that its law does not have
+  bool strange = false;  // a pair had a state that its law does not have
   Vector u;              // solution of the last solve
 
   CondensedBody(int dims, int count) : dimension(dims), nodes(count), gap(Vector::Zero(count)) {
@@ -46,7 +46,7 @@ struct CondensedBody : FrictionOracle {
     stiffness = (away * stiffness * away).eval();
   }
 
-  /// After all else is set.
+  /// Call after everything else is set.
   void begin(std::vector<SearchLaw> all, const std::vector<int>& lines) {
     laws = ContactLaws(std::move(all));
     line = lines;
@@ -81,7 +81,7 @@ struct CondensedBody : FrictionOracle {
     return states;
   }
 
-  // One linear system in displacements and forces; unknown forces of rows that do not hold are given by the states.
+  // One linear system in displacements and forces; unknown forces of rows that do not hold follow from the states.
   FrictionAnswer solve(const PairStates& states, double) override {
     ++solves;
     for (int i = 0; i < nodes; ++i) strange = strange || (laws.of(line[i]).rows(dimension) == 1 && states[i].status == PairStatus::Stick);
@@ -130,7 +130,7 @@ struct CondensedBody : FrictionOracle {
     return answer;
   }
 
-  /// Largest violation of the optimality conditions by the last solve, each by itself; relative to the largest force.
+  /// Largest violation of the optimality conditions by the last solve, each condition separately; relative to the largest force.
   double violation() const {
     const double size = force.cwiseAbs().maxCoeff() + 1e-6 * load.cwiseAbs().maxCoeff() + 1e-300,
                  length = u.cwiseAbs().maxCoeff() + gap.cwiseAbs().maxCoeff();
@@ -156,7 +156,7 @@ struct CondensedBody : FrictionOracle {
       atMost(std::min(normal / size, open / length), 0.0, 1.0);
       double bound = 0.0;
       if (law.rows(dimension) > 1 && open < 1e-9 * length) {
-        // The bound by a trial that slides without doubt.
+        // The bound from a trial that certainly slides.
         ContactTrial trial;
         trial.place = sites[i].place;
         trial.size = sites[i].size;
@@ -175,7 +175,7 @@ struct CondensedBody : FrictionOracle {
   Matrix force;
 };
 
-/// States of all pairs by digits of a number: open, stick, slip either way.
+/// States of all pairs from the digits of a number: open, stick, slip either way.
 inline PairStates statesOfNumber(int number, int pairs, double cohesion, double mu) {
   PairStates states(pairs);
   for (int i = 0; i < pairs; ++i, number /= 4) {

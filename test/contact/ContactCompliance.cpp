@@ -7,7 +7,7 @@ namespace {
 
 using namespace blocks;
 
-// Two chains of springs with random stiffness, tied to the ground where asked, and pairs between them: v_i - v_j <= g.
+// Two chains of springs with random stiffness, tied to the ground if requested, and pairs between them: v_i - v_j <= g.
 struct Chains {
   static constexpr int each = 6;
   SparseMatrix k;
@@ -46,7 +46,7 @@ struct Chains {
     contact = std::make_unique<ContactCompliance>(*inverse, rows);
   }
 
-  // Loads that some pair forces can carry, so that there is an equilibrium.
+  // Loads that some pair forces can balance, so that there is an equilibrium.
   Vector load(unsigned seed) const {
     Vector b = random(2 * each, 1, seed).col(0);
     if (kernel.cols() > 0) b = withoutSpan(kernel, b);
@@ -122,7 +122,7 @@ TEUCHOS_UNIT_TEST(ContactCompliance, FindsWhatEnumerationOfAllActiveSetsFinds) {
           ++cases;
         }
       }
-  TEST_COMPARE(mixed, >, cases / 4);  // else the cases would say little
+  TEST_COMPARE(mixed, >, cases / 4);  // otherwise the cases would prove little
 }
 
 TEUCHOS_UNIT_TEST(ContactCompliance, SaysThatABodyIsPushedAway) {
@@ -175,7 +175,7 @@ TEUCHOS_UNIT_TEST(ContactCompliance, TheConstrainedInverseIsSymmetricAndPositive
 }
 
 TEUCHOS_UNIT_TEST(ContactCompliance, FourMotionsAreLeftToTwoBodiesGluedOnAStraightLine) {
-  std::vector<Box> all(2);  // one subdomain a body: the group is all there is
+  std::vector<Box> all(2);  // one subdomain per body: the group is everything
   all[0].name = "lower";
   all[1].name = "upper";
   all[0].y0 = -1;

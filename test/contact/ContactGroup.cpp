@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(ContactGroup, AnswersWithTheSolutionOfItsContactProblem) {
     TEST_COMPARE(rowsAt(residual, g.group->interiorPositions()).norm(), <, 1e-11);
     TEST_COMPARE(difference(r.flux, rowsAt(residual, g.group->boundaryPositions())), <, 1e-11);
     mixed += openPairs(r.status) > 0 && openPairs(r.status) < 7;
-    // from whatever status it starts
+    // from any initial status
     const ContactGroup::Response other = g.group->respond(trace, g.status(kOpen));
     TEST_ASSERT(other.status == r.status);
     TEST_COMPARE(difference(other.flux, r.flux), <, 1e-11);
@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(ContactGroup, DoesNotDependOnTheAxesOfContactNodes) {
   const GroupOf a(scene), b(turned);
   const Vector trace = 0.05 * random(a.size(), 1).col(0);
   TEST_ASSERT(a.group->boundary() == b.group->boundary());
-  TEST_EQUALITY(b.group->rows().rows.nonZeros(), 2 * 7);  // one coefficient a side
+  TEST_EQUALITY(b.group->rows().rows.nonZeros(), 2 * 7);  // one coefficient per side
   const auto ra = a.respond(trace), rb = b.respond(trace);
   TEST_COMPARE(difference(rb.flux, ra.flux), <, 1e-12);
   TEST_COMPARE(difference(rb.force, ra.force), <, 1e-11);
@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(ContactGroup, HoldsABodyByContactAlone) {
   all[0].y1 = 0;
   all[0].nx = all[1].nx = 4;
   all[0].ny = all[1].ny = 4;
-  all[0].blocksY = 2;  // the upper body is one subdomain, loose but for contact
+  all[0].blocksY = 2;  // the upper body is one subdomain, held by contact only
   Scene scene = scenes::fromBoxes(all, 100.0, 0.3);
   scene.pairUp();
   scene.holdNode(scene.constraints.pairs[2].ends[1].node, 0, 0.0);  // nor may it slide
@@ -136,7 +136,7 @@ TEUCHOS_UNIT_TEST(ContactGroup, HoldsABodyByContactAlone) {
   TEST_FLOATING_EQUALITY(r.force.sum(), 2.0, 1e-11);  // the pressure on a side of length one
   TEST_EQUALITY(openPairs(r.status), 0);
   Vector lift = Vector::Zero(g.size());
-  for (int i = 1; i < g.size(); i += 2) lift(i) = 0.3;  // the lower body is moved up as a whole: so is the upper one, no force changes
+  for (int i = 1; i < g.size(); i += 2) lift(i) = 0.3;  // the lower body is moved up as a whole: so is the upper one, and no force changes
   const auto lifted = g.respond(lift);
   TEST_COMPARE(difference(lifted.force, r.force), <, 1e-10);
   TEST_COMPARE((lifted.flux - r.flux).norm(), <, 1e-10 * r.flux.norm());

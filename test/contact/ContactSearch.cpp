@@ -10,7 +10,7 @@ namespace {
 /// Largest violation of  l >= 0, w <= 0, l w = 0, G^T l = e  with w = d - C l + G a, relative to the sizes of forces and penetrations.
 double violation(const RandomContact& given, const Vector& force, const Vector& amplitude) {
   const Vector w = given.open - given.compliance * force + given.pairs.rows * amplitude;
-  // Forces are measured by the loads, and by what would close the gaps: a thousandth of it is still a force.
+  // Forces are scaled by the loads, and by the forces that would close the gaps: a thousandth of it is still a force.
   const double forces = force.cwiseAbs().maxCoeff() + given.pairs.work.cwiseAbs().sum() +
                         1e-3 * given.open.cwiseAbs().maxCoeff() / given.compliance.diagonal().maxCoeff() + 1e-300;
   const double lengths = (given.compliance * force).cwiseAbs().maxCoeff() + given.open.cwiseAbs().maxCoeff() +

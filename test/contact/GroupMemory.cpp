@@ -19,7 +19,7 @@ TEUCHOS_UNIT_TEST(GroupMemory, CountsWhatTheGroupHas) {
   double entries = 0;
   for (const Subdomain* member : g.members) entries += double((member->stiffness().dense().array() != 0.0).count());
   TEST_COMPARE(memory.stiffnessEntries, >=, entries);
-  TEST_COMPARE(memory.stiffnessEntries, <, 1.5 * entries);  // right-angled triangles: a quarter of the entries happens to be zero
+  TEST_COMPARE(memory.stiffnessEntries, <, 1.5 * entries);  // right-angled triangles: a quarter of the entries happen to be zero
 }
 
 TEUCHOS_UNIT_TEST(GroupMemory, IsAboveTwoFactorsAndNotFarAboveWhateverTheShape) {

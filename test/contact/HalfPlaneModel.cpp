@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kModulus = 2.0, kRadius = 50.0, kSpacing = 0.05, kNormalOfNode = 0.8;
 
-/// A parabola pressed into a half-plane by an approach, pairs at equal distances; displacements are those of Flamant's solution, hats of
-/// pressure, less that of a far point.
+/// A parabola pressed into a half-plane by an approach, pairs at equal distances; displacements are Flamant's solution for hat functions of
+/// pressure, relative to a far point.
 struct Parabola {
   int pairs;
   double approach;
@@ -54,7 +54,7 @@ ClosedSet middle(int pairs, int closed) {
   return set;
 }
 
-// From a zone that is far too wide or too narrow the model comes to that of Hertz: a^2 = 4 P R / (pi E*).
+// From a zone that is far too wide or too narrow the model converges to Hertz: a^2 = 4 P R / (pi E*).
 TEUCHOS_UNIT_TEST(HalfPlaneModel, FindsTheHalfWidthOfHertz) {
   const int n = 40;
   const Parabola scene(n, 0.02);
@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, FindsTheHalfWidthOfHertz) {
   }
 }
 
-// Pairs far from the ends, and those of other lines, stay as they are.
+// Pairs far from the ends, and those of other lines, do not change.
 TEUCHOS_UNIT_TEST(HalfPlaneModel, ChangesNothingFarFromTheEnds) {
   RigidContact::Pairs data = Parabola::data(200);
   for (int i = 100; i < 200; ++i) data.line[i] = 1;
@@ -91,7 +91,7 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, ChangesNothingFarFromTheEnds) {
   for (int i = 100; i < 200; ++i) TEST_EQUALITY(static_cast<int>(found[i]), 1);
 }
 
-// Where signs change along a whole line, no end of a zone is known: they are taken as they are.
+// Where signs change along a whole line, no end of a zone is known: the signs are used unchanged.
 TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesLongStretchesToTheSigns) {
   for (const int n : {300, 1000}) {
     const RigidContact rigid(Parabola::data(n));
@@ -103,7 +103,7 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesLongStretchesToTheSigns) {
   }
 }
 
-// Bodies in space are no half-planes: the signs decide.
+// 3D bodies are no half-planes: the signs decide.
 TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesSurfacesToTheSigns) {
   const Parabola scene(40, 0.02);
   RigidContact::Pairs data = Parabola::data(40);

@@ -23,7 +23,7 @@ struct Block {
     pairs.able.assign(corners, 1);
     for (int i = 0; i < corners; ++i) {
       const double x = i % 2 == 0 ? -1.0 : 1.0, y = dimension == 2 ? 0.0 : i < 2 ? -1.0 : 1.0;
-      // Motions: along the normal and the tangents; turns. Penetration grows where the block goes down.
+      // Motions: along the normal and the tangents; rotations. Penetration grows where the block moves down.
       pairs.rows(i, 0) = 1.0;
       for (int t = 0; t < dimension - 1; ++t) pairs.tangents[static_cast<std::size_t>(t)](i, 1 + t) = 1.0;
       if (dimension == 2) {
@@ -41,7 +41,7 @@ struct Block {
 };
 
 TEUCHOS_UNIT_TEST(PadModel, SaysWhereTheConesCannotBalanceTheLoads) {
-  // A pyramid of 16 planes about the cone is 2 % too wide: it would not see 1 %.
+  // A pyramid of 16 planes about the cone is 2 % too wide: it would miss 1 %.
   const double mu = 0.6;
   for (int k = 0; k < 48; ++k) {
     const double angle = 2.0 * M_PI * (k + 0.5) / 48;
@@ -53,7 +53,7 @@ TEUCHOS_UNIT_TEST(PadModel, SaysWhereTheConesCannotBalanceTheLoads) {
       if (motion.size() > 0) TEST_COMPARE(block.pairs.work.dot(motion), >, 0.0);
     }
   }
-  // Without friction, in a groove of two flanks: what goes into it, and what goes out along a flank.
+  // Without friction, in a groove of two flanks: loads into the groove hold, loads out along a flank do not.
   RigidContact::Pairs groove = Block(2, Force(1.0, 0.0, 0.0)).pairs;
   groove.rows.setZero(), groove.tangents[0].setZero();
   for (int i = 0; i < 2; ++i) {
@@ -65,12 +65,12 @@ TEUCHOS_UNIT_TEST(PadModel, SaysWhereTheConesCannotBalanceTheLoads) {
     groove.work << 1.0, part, 0.0;
     TEST_EQUALITY(PadModel(groove, std::vector<FrictionCone>(2)).unbalanced().size() > 0, std::abs(part) > 1.0);
   }
-  // Bounds are forces of a size: 4 pads hold 4 times the bound.
+  // Bounds are forces per unit of size: 4 pads hold 4 times the bound.
   for (const double part : {0.99, 1.01}) {
     const Block block(3, Force(1.0, 4.0 * 0.3 * part, 0.0));
     TEST_EQUALITY(PadModel(block.pairs, std::vector<FrictionCone>(4, {0.3, 0.0})).unbalanced().size() > 0, part > 1.0);
   }
-  // A block pulled off, and one that tips over.
+  // A block that is pulled off, and one that tips over.
   TEST_ASSERT(PadModel(Block(2, Force(-1.0, 0.0, 0.0)).pairs, std::vector<FrictionCone>(2, {0.0, mu})).unbalanced().size() > 0);
   TEST_ASSERT(PadModel(Block(2, Force(1.0, 0.5, 0.0), 1.9).pairs, std::vector<FrictionCone>(2, {0.0, mu})).unbalanced().size() == 0);
   TEST_ASSERT(PadModel(Block(2, Force(1.0, 0.5, 0.0), 2.1).pairs, std::vector<FrictionCone>(2, {0.0, mu})).unbalanced().size() > 0);
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(PadModel, BalancesTheLoadsByForcesOfTheLaw) {
     for (int k = 0; k < 2; ++k) work += block.pairs.tangents[static_cast<std::size_t>(k)].transpose() * found.force.col(k + 1);
     TEST_COMPARE((work - block.pairs.work).norm(), <, 1e-8);
     for (int i = 0; i < 4; ++i) {
-      // Coulomb's law: the normal force is that of the penetration, the tangential one is cut off.
+      // Coulomb's law: the normal force follows from the penetration, the tangential one is cut off.
       const double normal = std::max(found.trial(i, 0), 0.0), size = found.trial.row(i).tail(2).norm();
       const double held = size > 0.0 ? std::min(1.0, mu * normal / size) : 1.0;
       const double apart = std::hypot(found.force(i, 0) - normal, (found.force.row(i).tail(2) - held * found.trial.row(i).tail(2)).norm());
@@ -102,7 +102,7 @@ TEUCHOS_UNIT_TEST(PadModel, BalancesTheLoadsByForcesOfTheLaw) {
     }
   }
   TEST_COMPARE(slips, >, 20);
-  // The fixed point may be cut short: its states are a guess.
+  // The fixed-point iteration may be cut short: its states are a guess.
   TEST_COMPARE(near, >, 9 * all / 10);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 using namespace suture;
 
-/// Pads between bodies in a row along a line: pad i stands between body i and body i + 1; walls before the first and behind the last.
+/// Pads between bodies in a row along a line: pad i is between body i and body i + 1; walls before the first and behind the last.
 Matrix row(int bodies) {
   Matrix rows = Matrix::Zero(bodies + 1, bodies);
   for (int k = 0; k < bodies; ++k) rows(k, k) = -1.0, rows(k + 1, k) = 1.0;
@@ -15,7 +15,7 @@ Matrix row(int bodies) {
 }
 
 TEUCHOS_UNIT_TEST(PadProblem, SharesOutWhatWallsPress) {
-  // The walls are nearer than the bodies are long by 0.3; pads in series carry equal forces.
+  // The distance between the walls is 0.3 less than the total length of the bodies; pads in series carry equal forces.
   const int bodies = 5;
   const Matrix rows = row(bodies);
   const Vector stiffness = Vector::LinSpaced(bodies + 1, 1.0, 6.0), work = Vector::Zero(bodies);

@@ -8,14 +8,14 @@ namespace {
 
 using scenes::dry;
 
-// Of nodes condensed to themselves the response is their stiffness, whatever gaps and loads are.
+// For nodes condensed to themselves the response is their stiffness, for any gaps and loads.
 TEUCHOS_UNIT_TEST(PairResponse, IsTheStiffnessOfTheNodes) {
   std::mt19937 random(18);
   for (int trial = 0; trial < 24; ++trial) {
     CondensedBody body(2 + trial % 2, 3 + trial % 5);
     body.random(random, trial % 4 > 1);
     const int rough = trial % 3;  // a law without friction, on some nodes: it has a normal row only
-    if (trial % 5 == 0) body.load.tail(body.dimension).setZero(), body.gap.setZero();  // a node that hardly feels anything
+    if (trial % 5 == 0) body.load.tail(body.dimension).setZero(), body.gap.setZero();  // a node without load and gap
     std::vector<int> lines(body.nodes, 0);
     if (rough == 0) lines[1] = 1;
     body.begin({dry(0.0, 0.3), std::make_shared<Frictionless>()}, lines);
@@ -23,7 +23,7 @@ TEUCHOS_UNIT_TEST(PairResponse, IsTheStiffnessOfTheNodes) {
     PairResponse response;
     TEST_ASSERT(response.measure(*body.rigid, body, stuck, 100));
     TEST_EQUALITY(response.solves(), static_cast<int>(response.rows().size()) + 1);
-    // Rows that are free all the time are eliminated.
+    // Rows that are always free are eliminated.
     std::vector<int> kept, freed;
     for (int i = 0; i < body.nodes; ++i)
       for (int k = 0; k < body.dimension; ++k) (k > 0 && lines[i] == 1 ? freed : kept).push_back(body.dimension * i + k);
@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(PairResponse, IsTheStiffnessOfTheNodes) {
   }
 }
 
-// A direction in which both sides are held has no compliance, along a tangent of its own or between two.
+// A direction in which both sides are held has no compliance, whether it is one of the tangents or lies between two.
 TEUCHOS_UNIT_TEST(PairResponse, KnowsDirectionsThatAreHeld) {
   std::mt19937 random(21);
   for (const double angle : {0.0, 0.7}) {
@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(PairResponse, KnowsDirectionsThatAreHeld) {
   }
 }
 
-// A body on one pair turns about it where that opens: there is no response, and no wrong one.
+// A body on one pair rotates about it when it opens: there is no response, and no wrong one.
 TEUCHOS_UNIT_TEST(PairResponse, IsNotMeasuredWhereAPairHoldsABodyAlone) {
   std::mt19937 random(19);
   CondensedBody body(2, 1);

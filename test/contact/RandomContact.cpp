@@ -13,7 +13,7 @@ RandomContact::RandomContact(unsigned seed) {
   compliance = size * (factor * factor.transpose());
   compliance.diagonal().array() += size * (uniform() < 0.5 ? 0.1 : 1e-6);
   pairs.rows = Matrix::NullaryExpr(n, motions, [&] { return uniform() < 0.2 ? 0.0 : 2.0 * uniform() - 1.0; });
-  if (n > 1 && uniform() < 0.3) {  // two pairs that say the same
+  if (n > 1 && uniform() < 0.3) {  // two identical pairs
     pairs.rows.row(n - 1) = pairs.rows.row(0);
     compliance.row(n - 1) = compliance.row(0);
     compliance.col(n - 1) = compliance.col(0);

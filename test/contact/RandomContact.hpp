@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// A random contact problem in its dual form. Some rows repeat others, some compliances are singular, some gaps and loads are zero.
+/// A random contact problem in its dual form. Some rows are duplicates, some compliances are singular, some gaps and loads are zero.
 struct RandomContact {
   Matrix compliance;
   Vector open;

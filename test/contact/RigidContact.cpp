@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-/// Pads of stiffness one on bodies that move along one line each; a row for each pad.
+/// Pads of unit stiffness on bodies that move along one line each; one row per pad.
 RigidContact::Pairs onLines(const Matrix& rows, const Vector& work, const Vector& penetration) {
   RigidContact::Pairs pairs;
   pairs.rows = rows;
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(RigidContact, NeutralMotionsAreThoseThatTouchingPairsDoNotStop
   TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 1, 1}).cols(), 0);  // between two that touch
 }
 
-/// A weak cluster beside a strong one: its equilibrium is no rounding of the other's. Pads have compliance 2 before start().
+/// A weak cluster next to a strong one: its equilibrium is not lost in the round-off of the other. Pads have compliance 2 before start().
 TEUCHOS_UNIT_TEST(RigidContact, SeparateClustersKeepTheirDigits) {
   const Matrix rows = Matrix::Identity(2, 2);
   for (const double weak : {1.0, 1e-12, 1e-30}) {
@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(RigidContact, SeparateClustersKeepTheirDigits) {
   }
 }
 
-/// Forces keep their digits over long ways: with pads of compliance 2 the body goes to the gap's end and 2 further.
+/// Forces keep their digits over long motions: with pads of compliance 2 the body moves to the end of the gap and 2 further.
 TEUCHOS_UNIT_TEST(RigidContact, ForcesKeepTheirDigitsOverLongWays) {
   for (const double gap : {1.0, 1e6, 1e12}) {
     const RigidContact rigid(onLines(Matrix::Ones(1, 1), Vector::Ones(1), Vector::Constant(1, -gap)));
@@ -99,8 +99,8 @@ TEUCHOS_UNIT_TEST(RigidContact, ForcesKeepTheirDigitsOverLongWays) {
   }
 }
 
-/// A wedge that two walls guide slides a long way down a narrowing slot of many steps, against one of which it comes to rest: plain Newton
-/// steps see one wall at a time.
+/// A wedge that two walls guide slides a long way down a narrowing slot of many steps and comes to rest against one of them: each plain
+/// Newton step detects one wall.
 TEUCHOS_UNIT_TEST(RigidContact, ABodyThatBouncesBetweenWallsIsBroughtToRest) {
   for (const double slope : {1e-1, 1e-3, 1e-5}) {
     Matrix rows(2, 2);  // walls that close in by `slope`
@@ -117,7 +117,7 @@ TEUCHOS_UNIT_TEST(RigidContact, ABodyThatBouncesBetweenWallsIsBroughtToRest) {
   }
 }
 
-/// The body has come further than it must: of a free way it goes back to where it started, or to the wall that bars it.
+/// The body has moved further than necessary: if the way back is free it returns to its start, or to the wall that stops it.
 TEUCHOS_UNIT_TEST(RigidContact, LeastMotionGoesBackAsFarAsWallsAllow) {
   Matrix rows(2, 2);
   rows << 0, 1,  // carries
@@ -144,7 +144,7 @@ TEUCHOS_UNIT_TEST(RigidContact, ScalesAreThoseOfTheOwnCluster) {
   TEST_EQUALITY(joined(0), 5.0);
   TEST_EQUALITY(joined(1), 5.0);
   TEST_EQUALITY(joined(2), 1e-9);
-  TEST_EQUALITY(apart(1), 5.0);  // an open pair is measured by what it would join
+  TEST_EQUALITY(apart(1), 5.0);  // an open pair is scaled by the cluster that it would join
 }
 
 // A ball falls on a plane: 400 pairs in any order give the same pads, as soft as a disc of as many nodes (Boussinesq).

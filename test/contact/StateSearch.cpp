@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(StateSearch, SolvesRandomProblemsOfAllLaws) {
   TEST_COMPARE(std::min({open, slip, stick}), >, 100);
 }
 
-// Loads inside the cones hold a body that nothing else does.
+// Loads inside the cones hold a body that nothing else holds.
 TEUCHOS_UNIT_TEST(StateSearch, HoldsLooseBodiesByFriction) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(StateSearch, HoldsLooseBodiesByFriction) {
     CondensedBody body(2 + trial % 2, 3 + trial % 6);
     body.random(random, true);
     for (double& x : body.gap) x *= 0.05;
-    // Sums of forces inside nine tenths of the cone, spread over the nodes; what nodes pull at each other stays.
+    // Force sums inside nine tenths of the cone, spread over the nodes; self-balanced forces between nodes stay.
     const Vector sums = body.kernel.transpose() * body.load;
     body.load -= body.kernel * sums / body.nodes;
     body.load *= 0.3;
@@ -89,7 +89,7 @@ TEUCHOS_UNIT_TEST(StateSearch, HoldsLooseBodiesByFriction) {
 TEUCHOS_UNIT_TEST(StateSearch, SaysThatABodySlidesAway) {
   std::mt19937 random(13);
   for (const int dimension : {2, 3})
-    for (const SearchLaw& law : {dry(0.0, 0.3), dry(0.6, 0.0)})  // both carry .6 a node under a normal force of 2
+    for (const SearchLaw& law : {dry(0.0, 0.3), dry(0.6, 0.0)})  // both carry .6 per node under a normal force of 2
       for (const double push : {0.55, 0.65, 3.0})
         for (int trial = 0; trial < 5; ++trial) {
           CondensedBody body(dimension, 4);
@@ -107,7 +107,7 @@ TEUCHOS_UNIT_TEST(StateSearch, SaysThatABodySlidesAway) {
           TEST_EQUALITY(found.converged, push < 0.6);
           TEST_EQUALITY(found.slides.size() > 0, push > 0.6);
           if (found.slides.size() == 0) continue;
-          // Along the push: 3/5 and 4/5 in 3D, either sense.
+          // Along the push: 3/5 and 4/5 in 3D, either sign.
           TEST_EQUALITY(found.slides.size(), dimension);
           const Vector way = found.slides.normalized();
           TEST_COMPARE(std::abs(way(0)), <, 1e-8);
@@ -142,8 +142,8 @@ TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionWithCohesionWhereThereIsOne) {
   TEST_COMPARE(opens, >, 30);
 }
 
-// A ball between two plates: the pairs at its poles stick, and feel nothing of its turn about the line through them. The others are open;
-// a turn of thousands of gaps would close them.
+// A ball between two plates: the pairs at its poles stick, and do not resist its rotation about the line through them. The others are open;
+// a rotation by thousands of gaps would close them.
 TEUCHOS_UNIT_TEST(StateSearch, LeavesABodyThatCanTurnWhereItIs) {
   std::mt19937 random(18);
   for (int trial = 0; trial < 20; ++trial) {
@@ -165,7 +165,7 @@ TEUCHOS_UNIT_TEST(StateSearch, LeavesABodyThatCanTurnWhereItIs) {
     const StateSearch::Result found = search.run(search.start());
     TEST_ASSERT(found.converged);
     TEST_COMPARE(body.violation(), <, 1e-8);
-    TEST_COMPARE(body.u.cwiseAbs().maxCoeff(), <, 50.0);  // 10,000 where an open pair is closed by a turn
+    TEST_COMPARE(body.u.cwiseAbs().maxCoeff(), <, 50.0);  // 10,000 if a rotation closes an open pair
     for (int i = 0; i < 6; ++i) {
       TEST_EQUALITY(found.states[i].closed(), i < 2);
       TEST_ASSERT(found.states[i].closed() || found.states[i] == ContactState());
@@ -191,7 +191,7 @@ TEUCHOS_UNIT_TEST(StateSearch, KnowsTheBoundsOfPairsThatStickFromTheStart) {
   }
 }
 
-// One pair holds the body at first, where others would do; all 4^n states of n pairs tell whether any do.
+// One pair holds the body at first although others would do; trying all 4^n states of n pairs shows whether a solution exists.
 TEUCHOS_UNIT_TEST(StateSearch, LetsAnotherPairHoldABody) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -224,7 +224,7 @@ TEUCHOS_UNIT_TEST(StateSearch, LetsAnotherPairHoldABody) {
   TEST_COMPARE(solvable, >, 30);
 }
 
-// Strong friction, strongly coupled: all 4^n states of n pairs tell whether there is a solution.
+// Strong friction, strongly coupled: trying all 4^n states of n pairs shows whether there is a solution.
 TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionOfFewPairsWhereThereIsOne) {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -233,7 +233,7 @@ TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionOfFewPairsWhereThereIsOne) {
     const double mu = 0.1 + 1.4 * std::abs(value(random));
     CondensedBody body(2, 4);
     body.random(random, trial % 2 == 0);
-    // Normals and tangents pull at each other as much as at themselves.
+    // Coupling between normals and tangents is as strong as the diagonal.
     const Matrix root = Matrix::NullaryExpr(8, 9, [&] { return value(random); });
     Matrix stiffness = root * root.transpose() + 0.05 * Matrix::Identity(8, 8);
     const Matrix away = Matrix::Identity(8, 8) - body.kernel * body.kernel.transpose() / body.nodes;

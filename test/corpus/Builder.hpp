@@ -7,7 +7,7 @@
 
 namespace suture::corpus {
 
-/// True if a scene has a solution, as far as its construction tells.
+/// True if a scene has a solution, as far as its construction determines it.
 enum class Expected { Solvable, Unsolvable, Unknown };
 
 /// Collects bodies, conditions and contacts of a scene in lengths of its bodies and stresses of its softest one, then turns, scales and

@@ -11,10 +11,10 @@ enum class Feasibility { Held, Slides, None };
 
 /// Judges solutions of a scene from displacements and pair forces alone, by one loop over the elements of the whole mesh. On rank 0.
 ///
-/// Forces are measured against the force of their body: the largest of its summed loads, reactions and forces of one contact piece.
-/// Allowed beside the bound is the rounding of the internal forces, 30 epsilon times the largest sum of |K| |u| at a node of the body: a
-/// body that moves rigidly by far more than it deforms has no more digits. Contact carries that error to other bodies: where it exceeds the
-/// bound in one of them, the bounds of all are loosened by as much (rounding()).
+/// Forces are measured against the force of their body: the largest of its summed loads, reactions and forces of one contact piece. The
+/// tolerance also covers the round-off of the internal forces, 30 epsilon times the largest sum of |K| |u| at a node of the body: a body
+/// that moves rigidly by far more than it deforms has no more digits. Contact carries that error to other bodies: where it exceeds the
+/// bound in one of them, the bounds of all are loosened by the same factor.
 class Judge {
  public:
   explicit Judge(const Whole& whole);

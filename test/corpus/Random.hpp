@@ -6,8 +6,8 @@
 
 namespace suture::corpus {
 
-/// Random numbers that are the same on every machine and with every library: SplitMix64 (Steele, Lea, Flood 2014) with distributions of its
-/// own, since those of the standard library differ between libraries.
+/// Random numbers that are the same on every machine and with every library: SplitMix64 (Steele, Lea, Flood 2014) with its own
+/// distributions, since those of the standard library differ between libraries.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 0x632BE59BD9B4E019ull) { bits(); }

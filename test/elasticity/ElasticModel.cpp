@@ -107,7 +107,7 @@ TEUCHOS_UNIT_TEST(ElasticModel, KnowsTheMaterialOfEveryRegion) {
   TEST_EQUALITY(model.materialOf(block, 1, 1).young, 210e9);
   TEST_EQUALITY(model.materialOf(block, 1, 0).young, 0.52e10);
   TEST_EQUALITY(model.materialOf(block, 2, 0).young, 210e9);
-  TEST_THROW(model.materialOf(CellBlock(), 0, 0), InternalError);  // a mesh that was not told of the regions
+  TEST_THROW(model.materialOf(CellBlock(), 0, 0), InternalError);  // mesh without regions
   TEST_EQUALITY(modelOf().materialOf(CellBlock(), 0, 1).young, 210e9);
   const std::vector<Problem> problems = problemsOf({"Bodies/upper/Regions/seam/Group=seam", "Bodies/upper/Regions/seam/Material=rok"});
   TEST_ASSERT(problems.size() == 1 && says(problems[0], "Bodies/upper/Regions/seam/Material", "Did you mean 'rock'"));
@@ -246,7 +246,7 @@ TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
   TEST_ASSERT(says(found[0], "Materials/rock/Poisson Ratio", "or choose Displacement there, or set Materials/rock/Allow Locking"));
   TEST_EQUALITY(problemsIn({nearly}, 1).size(), 0u);  // problems of steel
   TEST_EQUALITY(problemsIn({nearly, "Materials/rock/Allow Locking=true"}, 0).size(), 0u);
-  TEST_EQUALITY(problemsIn({nearly, "Materials/rock/Element=Displacement"}, 0).size(), 0u);  // asked for by name
+  TEST_EQUALITY(problemsIn({nearly, "Materials/rock/Element=Displacement"}, 0).size(), 0u);  // chosen by name
   const std::vector<Problem> mixed = problemsIn({"Materials/rock/Element=Mixed"}, 0);
   TEST_ASSERT(mixed.size() == 1u && says(mixed[0], "Materials/rock/Element", "no stable pressure"));
   Problems sheet;

@@ -1,4 +1,4 @@
-// Elastic supports of sides: forces of a bed of springs under given motions, and symmetry of what they add to the stiffness.
+// Elastic supports of sides: forces of a bed of springs under given motions, and symmetry of their stiffness.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/mesh/Generators.hpp>

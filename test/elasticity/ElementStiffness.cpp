@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(ElementStiffness, HasTheRigidModesAndNothingElseInItsNullSpace
     }
 }
 
-// Every cell, displacement and mixed, but for the mixed 3-node triangle, which there is not.
+// Every cell, displacement and mixed, except the mixed 3-node triangle, which does not exist.
 template <typename Take>
 void forEachElement(const Take& take) {
   for (Cell cell : sample::cells())
@@ -100,9 +100,9 @@ TEUCHOS_UNIT_TEST(ElementStiffness, OfMixedElementsHasTheRigidModesAndNothingEls
       TEST_COMPARE((k * turn).norm(), <, 1e-14 * k.norm() * turn.norm());
       const Vector eigenvalues = dense::eigenvalues(k);
       TEST_COMPARE(std::abs(eigenvalues[2]), <, 1e-13 * k.norm());
-      TEST_COMPARE(eigenvalues[3], >, 1e-3);  // order of mu, whatever lambda
+      TEST_COMPARE(eigenvalues[3], >, 1e-3);  // order of mu, for any lambda
       TEST_EQUALITY((k - k.transpose()).norm(), 0.0);
-      // Energy: the projection takes away, and what it takes is nothing when lambda is.
+      // Energy: the projection removes energy, and removes none if lambda is zero.
       const Matrix pointwise = stiffness(block, {"m", 1.0, poisson}, PlaneModel::Strain);
       const double least = dense::eigenvalues(poisson < 0 ? Matrix(k - pointwise) : Matrix(pointwise - k))[0];
       TEST_COMPARE(least, >, -1e-12 * k.norm());
@@ -112,7 +112,7 @@ TEUCHOS_UNIT_TEST(ElementStiffness, OfMixedElementsHasTheRigidModesAndNothingEls
 }
 
 TEUCHOS_UNIT_TEST(ElementStiffness, OfMixedElementsCountsItsPressures) {
-  // As many eigenvalues of the order of lambda as pressures, and so as many constraints in the limit.
+  // As many eigenvalues of the order of lambda as pressures, hence as many constraints in the limit.
   const std::map<Cell, int> pressures{
       {Cell::Triangle6, 1}, {Cell::Quadrilateral4, 1}, {Cell::Quadrilateral8, 1}, {Cell::Quadrilateral9, 3}};
   for (const bool axisymmetric : {false, true})
@@ -206,7 +206,7 @@ TEUCHOS_UNIT_TEST(ElementStiffness, TakesTheMaterialOfEachElement) {
         TEST_EQUALITY(e, static_cast<int>(k.size()));
         k.push_back(one);
       });
-  // The second triangle is the first one turned by half a turn, which leaves the matrix as it is.
+  // The second triangle is the first one rotated by 180 degrees, which does not change the matrix.
   TEST_EQUALITY(k.size(), 2u);
   TEST_COMPARE((k[1] - 1e6 * k[0]).norm(), <, 1e-14 * k[1].norm());
 }

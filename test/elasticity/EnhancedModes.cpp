@@ -1,5 +1,5 @@
-// Enhanced strains: the patch test on distorted elements, bending in closed form, rank, and what is left when nu tends to 0.5. (More of
-// those in space: SolidStiffness. Initial states: InitialState and SolidLoads.)
+// Enhanced strains: the patch test on distorted elements, bending in closed form, rank, and the limit nu -> 0.5. (More 3D tests:
+// SolidStiffness. Initial states: InitialState and SolidLoads.)
 #include <Eigen/LU>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
@@ -54,7 +54,7 @@ const double pi = std::acos(-1.0);
 }  // namespace
 
 TEUCHOS_UNIT_TEST(EnhancedModes, ConstantStressesOfDistortedElementsAreExact) {
-  // Forces of a linear field: those of the plain element, whose strain is that of the field.
+  // Forces of a linear field: those of the standard element, whose strain is that of the field.
   for (const double poisson : {0.3, 0.4999}) {
     for (const PlaneModel plane : {PlaneModel::Strain, PlaneModel::Stress}) {
       const CellBlock block = sample::distorted(Cell::Quadrilateral4);
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, ConstantStressesOfDistortedElementsAreExact) {
       const Vector expected = stiffness(block, {"m", 3.0, poisson}, plane) * u;
       TEST_COMPARE((stiffness(block, enhanced(3.0, poisson), plane) * u - expected).norm(), <, 1e-12 * expected.norm());
     }
-    // Of revolution: equal strains along the radius and the hoop.
+    // Axisymmetric: equal radial and hoop strains.
     const CellBlock ring = revolved(sample::distorted(Cell::Quadrilateral4), 0.2);
     const Vector u = nodal(ring, [](const Point& p) -> Point { return {0.7 * p[0], 0.9 * p[0] - 0.3 * p[1], 0.0}; });
     const Vector expected = stiffness(ring, {"m", 3.0, poisson}) * u;
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, LeaveTheRigidModesAndNothingElseInTheNullSpace)
       TEST_COMPARE((k * turn).norm(), <, 1e-14 * k.norm() * turn.norm());
       const Vector eigenvalues = dense::eigenvalues(k);
       TEST_COMPARE(std::abs(eigenvalues[2]), <, 1e-13 * k.norm());
-      TEST_COMPARE(eigenvalues[3], >, 1e-2);  // order of mu, whatever lambda
+      TEST_COMPARE(eigenvalues[3], >, 1e-2);  // order of mu, for any lambda
       TEST_EQUALITY((k - k.transpose()).norm(), 0.0);
       const Matrix taken = stiffness(block, {"m", 1.0, poisson}, plane) - k;
       TEST_COMPARE(dense::eigenvalues(taken)[0], >, -1e-12 * k.norm());
@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, LeaveTheRigidModesAndNothingElseInTheNullSpace)
 }
 
 TEUCHOS_UNIT_TEST(EnhancedModes, BendARectangleAsABeamDoes) {
-  // u = (x y, -x^2 / 2): the stress E' y alone, whatever the element's shape. Energy E' I length.
+  // u = (x y, -x^2 / 2): the stress E' y alone, for any element shape. Energy E' I length.
   const double length = 7.0, height = 1.0;
   for (const double poisson : {0.0, 0.3, 0.4999})
     for (const PlaneModel plane : {PlaneModel::Strain, PlaneModel::Stress})
@@ -120,7 +120,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, BendARectangleAsABeamDoes) {
         const double young = 3.0, modulus = plane == PlaneModel::Strain ? young / (1 - poisson * poisson) : young;
         const double energy = u.dot(stiffness(block, enhanced(young, poisson), plane) * u);
         TEST_FLOATING_EQUALITY(energy, modulus * std::pow(height, 3) / 12 * length, 1e-8);
-        TEST_COMPARE(u.dot(stiffness(block, {"m", young, poisson}, plane) * u), >, 10 * energy);  // the plain element
+        TEST_COMPARE(u.dot(stiffness(block, {"m", young, poisson}, plane) * u), >, 10 * energy);  // the standard element
       }
 }
 
@@ -154,7 +154,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, BendABrickAsABeamDoesAboutEveryAxis) {
 }
 
 TEUCHOS_UNIT_TEST(EnhancedModes, BendABrickOfAnyMaterialAsABeamDoes) {
-  // A stress y along x alone, strains C y with C a column of the compliance: they are compatible, whatever the law.
+  // A stress y along x alone, strains C y with C a column of the compliance: they are compatible for any law.
   const double length = 5.0, height = 1.0, width = 0.6;
   const CellBlock block = sample::brick(Cell::Hexahedron8, length, height, width);
   const Matrix random = dense::random(6, 6, 5);
@@ -172,7 +172,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, BendABrickOfAnyMaterialAsABeamDoes) {
 }
 
 TEUCHOS_UNIT_TEST(EnhancedModes, BendADiscAsAPlateDoes) {
-  // u = (r z, -r^2 / 2 - nu / (1 - nu) z^2): stresses E / (1 - nu) z along radius and hoop. Exact but for the mean of the radius.
+  // u = (r z, -r^2 / 2 - nu / (1 - nu) z^2): stresses E / (1 - nu) z along radius and hoop. Exact except for the mean of the radius.
   const double inner = 4.0, width = 1.0, height = 0.3, young = 3.0;
   for (const double nu : {0.0, 0.3, 0.4999}) {
     const CellBlock block = revolved(sample::axisParallel(Cell::Quadrilateral4, width, height), inner);
@@ -188,7 +188,7 @@ TEUCHOS_UNIT_TEST(EnhancedModes, BendADiscAsAPlateDoes) {
 }
 
 TEUCHOS_UNIT_TEST(EnhancedModes, LeaveOneConstraintOfIncompressibility) {
-  // One eigenvalue of the order of lambda: as elements with one pressure.
+  // One eigenvalue of the order of lambda, as in elements with one pressure.
   const Material rubber = enhanced(1.0, 0.499999);
   for (const CellBlock& block : {sample::distorted(Cell::Quadrilateral4), revolved(sample::distorted(Cell::Quadrilateral4), 1.0)})
     TEST_EQUALITY((dense::eigenvalues(stiffness(block, rubber)).array() > 1e3).count(), 1);

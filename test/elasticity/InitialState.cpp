@@ -76,7 +76,7 @@ TEUCHOS_UNIT_TEST(InitialState, LetsABodyExpandWithoutStressInItsPlane) {
     out << one.name << "\n";
     const auto materialOf = [&](int) -> const Material& { return one.material; };
     const InitialState initial(one.model, 0);
-    // Free along every direction that may move: in plane strain the strain across is held, and the others grow by (1 + nu).
+    // Free in all directions that can move: in plane strain the out-of-plane strain is zero, and the others grow by (1 + nu).
     const bool held = one.plane == PlaneModel::Strain && !one.block.axisymmetric;
     const double e = expansion * warmer * (held ? 1.0 + one.material.poisson : 1.0);
     const Vector u = field(one.block, e, 0.0, 0.0, e), force = initialForces(one.block, materialOf, one.plane, initial);

@@ -122,7 +122,7 @@ TEUCHOS_UNIT_TEST(Loads, BalancesPressureAroundAClosedCircle) {
 }
 
 TEUCHOS_UNIT_TEST(Loads, GivesPressureOnAnArcTheForceOfItsChord) {
-  // The integral of n ds between two points does not depend on the way.
+  // The integral of n ds between two points is independent of the path.
   const CellBlock block = disc(Cell::Triangle6, 8, 2.0, 0.0, 0.0);
   std::vector<Side> half = rim(block);
   half.resize(4);  // the upper half
@@ -160,7 +160,7 @@ TEUCHOS_UNIT_TEST(Loads, OfBodiesOfRevolutionAreThoseOfTheWholeCircle) {
     const Point disc = resultant(block, sideForces(block, {bottomOf(block)}, pressure(2.0)));
     TEST_FLOATING_EQUALITY(disc[1], 2.0 * pi * 9.0, 1e-14);
     TEST_COMPARE(std::abs(disc[0]), <, 1e-14);
-    // Weight by Pappus, and pulled outwards the radial magnitudes round the circle.
+    // Weight by Pappus; under a radial body force the radial magnitudes summed over the circle.
     const double area = sample::isTriangle(cell) ? 1.5 : 3.0, centroid = sample::isTriangle(cell) ? 1.0 : 1.5;
     const Point weight = resultant(block, bodyForces(block, bodyForce(0.5, -9.81)));
     TEST_FLOATING_EQUALITY(weight[1], -9.81 * 2 * pi * centroid * area, 1e-14);
@@ -174,7 +174,7 @@ TEUCHOS_UNIT_TEST(Loads, OfBodiesOfRevolutionAreThoseOfTheWholeCircle) {
 }
 
 TEUCHOS_UNIT_TEST(Loads, SpreadsBodyForceByTheIntegralsOfShapeFunctions) {
-  // Known for affine cells, as parts of the area.
+  // Known for affine cells, as fractions of the area.
   const std::map<Cell, std::vector<double>> shares{
       {Cell::Triangle3, {1. / 3, 1. / 3, 1. / 3}},
       {Cell::Triangle6, {0, 0, 0, 1. / 3, 1. / 3, 1. / 3}},
@@ -245,7 +245,7 @@ TEUCHOS_UNIT_TEST(Loads, OfConstantExpressionsAreThoseOfNumbers) {
   for (int e = 0; e < block.elements(); ++e) sides.push_back({e, 1});
   Load load = traction(0, 0);
   load.expressions = {Expression("2"), Expression("-3")};
-  // the length of a curved side is the integral of a square root: two rules agree as well as they integrate it
+  // the length of a curved side is the integral of a square root: two rules agree to their accuracy
   TEST_COMPARE((sideForces(block, sides, load) - sideForces(block, sides, traction(2, -3))).norm(), <, 1e-5);
   Load push = pressure(0);
   push.expressions = {Expression("5")};

@@ -1,4 +1,4 @@
-// Laws of materials: constants of a lamina in closed form, invariance under turns, and what is refused.
+// Material laws: constants of a lamina in closed form, invariance under rotations, and refused input.
 #include <Eigen/LU>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -51,7 +51,7 @@ Material materialOf(std::shared_ptr<const MaterialLaw> law, ElementForm form = E
 }
 
 TEUCHOS_UNIT_TEST(MaterialLaw, LaminaPulledOffItsAxes) {
-  // R. M. Jones, Mechanics of Composite Materials: apparent constants of an orthotropic sheet whose axis 1 is turned by the angle.
+  // R. M. Jones, Mechanics of Composite Materials: apparent constants of an orthotropic sheet whose axis 1 is rotated by the angle.
   for (const double degrees : {0.0, 10.0, 30.0, 45.0, 77.0, 90.0, -20.0}) {
     const double c = std::cos(degrees * M_PI / 180), s = std::sin(degrees * M_PI / 180);
     const double mixed = 1 / kG12 - 2 * kNu12 / kE1;
@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(MaterialLaw, LaminaPulledOffItsAxes) {
     TEST_FLOATING_EQUALITY(compliance(1, 1), alongY, 1e-12);
     TEST_COMPARE(std::abs(compliance(0, 1) - across), <, 1e-12 * alongY);
     TEST_COMPARE(std::abs(compliance(0, 2) - sheared), <, 1e-12 * alongY);
-    // The functions that elements and estimates use say the same.
+    // The functions used by elements and estimates agree.
     const HookesLaw<2> law(ply, PlaneModel::Stress);
     TEST_COMPARE(std::abs(law.complementary({1, 0, 0, 0}) - alongX), <, 1e-12 * alongX);
     TEST_COMPARE((law.pointwise * law.compliance.col(0) - Eigen::Vector4d(1, 0, 0, 0)).norm(), <, 1e-12);
@@ -89,7 +89,7 @@ TEUCHOS_UNIT_TEST(MaterialLaw, TurnedTwiceIsTurnedByTheSumAndAFullTurnIsNone) {
   TEST_FLOATING_EQUALITY(quarter(0, 0), c(1, 1), 1e-13);
   TEST_FLOATING_EQUALITY(quarter(0, 2), c(1, 2), 1e-13);
   TEST_FLOATING_EQUALITY(quarter(4, 4), c(5, 5), 1e-13);
-  // Work of a strain does not depend on the axes: the mean over all directions neither.
+  // The work of a strain does not depend on the axes, nor does the mean over all directions.
   TEST_FLOATING_EQUALITY(nearestIsotropic(turned(c, 0.9)).young, nearestIsotropic(c).young, 1e-13);
 }
 
@@ -97,14 +97,14 @@ TEUCHOS_UNIT_TEST(MaterialLaw, AxesInSpaceAreTheMaterialsOwn) {
   const auto along = [](const std::string& axis1, const std::string& axis2, double angle = 0.0) {
     return lawOf(orthotropic("{140.0, 10.0, 9.0}", "{0.3, 0.4, 0.28}", "{5.0, 3.0, 4.5}", angle, axis1, axis2))->stiffness();
   };
-  // A bar along the unit vector n gives way by n n : C^-1 : n n; along a material axis that is 1 / E of the axis.
+  // A bar along the unit vector n has the compliance n n : C^-1 : n n; along a material axis this is 1 / E of the axis.
   const auto modulusAlong = [](const ElasticStiffness& c, const Eigen::Vector3d& n) {
     Eigen::Matrix<double, 6, 1> stress;
     stress << n[0] * n[0], n[1] * n[1], n[2] * n[2], n[0] * n[1], n[1] * n[2], n[0] * n[2];
     return 1.0 / stress.dot(c.inverse() * stress);
   };
   const Eigen::Vector3d n1 = Eigen::Vector3d(2, -1, 2) / 3, n2 = Eigen::Vector3d(1, 4, 1).normalized(), n3 = n1.cross(n2);
-  const ElasticStiffness c = along("{4.0, -2.0, 4.0}", "{3.0, 3.0, 3.0}");  // (3, 3, 3) is n1's multiple and n2's
+  const ElasticStiffness c = along("{4.0, -2.0, 4.0}", "{3.0, 3.0, 3.0}");  // (3, 3, 3) is a multiple of n1 and n2
   TEST_FLOATING_EQUALITY(modulusAlong(c, n1), kE1, 1e-12);
   TEST_FLOATING_EQUALITY(modulusAlong(c, n2), kE2, 1e-12);
   TEST_FLOATING_EQUALITY(modulusAlong(c, n3), kE3, 1e-12);
@@ -112,7 +112,7 @@ TEUCHOS_UNIT_TEST(MaterialLaw, AxesInSpaceAreTheMaterialsOwn) {
   TEST_FLOATING_EQUALITY(modulusAlong(quarter, n2), kE1, 1e-12);
   TEST_FLOATING_EQUALITY(modulusAlong(quarter, n1), kE2, 1e-12);
   TEST_COMPARE((along("{1.0, 0.0, 0.0}", "{0.0, 1.0, 0.0}", 25.0) - lamina(25.0)->stiffness()).norm(), <, 1e-12 * c.norm());
-  // Axis 1 across the plane leaves a plane body in its plane; an axis between the two does not.
+  // With axis 1 normal to the plane a plane body stays plane; with an axis between the two it does not.
   planePart(along("{0.0, 0.0, 1.0}", "{1.0, 1.0, 0.0}"));
   TEST_THROW(planePart(along("{1.0, 0.0, 1.0}", "{0.0, 1.0, 0.0}")), InputError);
   TEST_THROW(along("{1.0, 2.0, 3.0}", "{2.0, 4.0, 6.0}"), InputError);
@@ -154,7 +154,7 @@ TEUCHOS_UNIT_TEST(MaterialLaw, RefusesWhatIsNoElasticMaterial) {
   TEST_ASSERT(says(messageOf(GivenLaw(c)), "not symmetric"));
   c = isotropicStiffness({1.0, 0.3});
   c(0, 4) = c(4, 0) = 0.1;
-  TEST_ASSERT(says(messageOf(GivenLaw(c)), ""));  // in space
+  TEST_ASSERT(says(messageOf(GivenLaw(c)), ""));  // 3D
   TEST_THROW(planePart(c), InputError);
   const Material coupled = materialOf(std::make_shared<GivenLaw>(c));
   TEST_THROW(HookesLaw<2>(coupled, PlaneModel::Strain), InputError);

@@ -18,7 +18,7 @@ Load randomLoad(int seed, double amplitude) {
 }  // namespace
 
 TEUCHOS_UNIT_TEST(RandomLoad, IsSplitmix64OnEveryMachine) {
-  // Whole numbers of any length and fractions, by a Python of three lines; its generator gives the published e220a8397b1dcdaf for 0.
+  // Integers of any length and fractions, from three lines of Python; its generator gives the published e220a8397b1dcdaf for 0.
   TEST_EQUALITY(randomForce(randomLoad(0, 1.0), 0, 0), -0.7225811797088915);
   TEST_EQUALITY(randomForce(randomLoad(0, 1.0), 0, 1), -0.48346910616254135);
   TEST_EQUALITY(randomForce(randomLoad(7, 1.0), 123456, 1), 0.07461334114355833);

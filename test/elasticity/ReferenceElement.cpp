@@ -21,7 +21,7 @@ std::vector<Cell> everyCell() {
 
 const Rule rules[] = {Rule::Stiffness, Rule::Load, Rule::Centroid, Rule::Data, Rule::Sampling, Rule::Recovery, Rule::Revolution};
 
-// Where a point of the rule is: shape functions reproduce the places of the nodes.
+// Coordinates of a quadrature point: shape functions reproduce the coordinates of the nodes.
 Point placeOf(const ReferenceElement& table, Cell cell, int point) {
   Point place{0, 0, 0};
   for (int a = 0; a < table.nodes; ++a)

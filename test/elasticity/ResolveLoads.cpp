@@ -1,4 +1,4 @@
-// Total forces and moments, point forces, gravity and rotation: their resultants, and what is wrong with them.
+// Total forces and moments, point forces, gravity and rotation: their resultants, and errors.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/loads/LoadList.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>

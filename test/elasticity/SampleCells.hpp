@@ -27,19 +27,19 @@ CellBlock distorted(Cell cell);
 // distorted() with every mid-side node pushed off its chord: curved sides.
 CellBlock curved(Cell cell);
 
-// The same in space. Nodes of a cell whose reference element is mapped by a function of the place: straight edges if it is linear there.
+// The same in 3D. Nodes of a cell whose reference element is mapped by a function of place: straight edges if it is linear there.
 const std::vector<Cell>& solids();
 CellBlock mapped(Cell cell, const std::function<suture::Point(const suture::Point&)>& map);
 // The brick [0,a] x [0,b] x [0,c], the tetrahedron or wedge that is a part of it, or the pyramid on its base.
 CellBlock brick(Cell cell, double a, double b, double c);
-// Straight edges, far from any symmetry: but for tetrahedra no affine image of the reference element, and sides of four nodes are warped.
+// Straight edges, far from any symmetry: except tetrahedra, no affine image of the reference element; sides of four nodes are warped.
 CellBlock distortedSolid(Cell cell);
-// distortedSolid() with the nodes of edges, sides and centres pushed away.
+// distortedSolid() with the nodes of edges, sides and centres moved off their middles.
 CellBlock curvedSolid(Cell cell);
 // All sides of a block of one element.
 std::vector<suture::Side> sidesOfElement(const CellBlock& block);
 
-// Area within the polygon of the vertices (shoelace).
+// Area of the polygon of the vertices (shoelace).
 double polygonArea(const CellBlock& block, int vertices);
 
 }  // namespace sample

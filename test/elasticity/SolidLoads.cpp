@@ -1,4 +1,4 @@
-// Loads in space, on sides, volumes and mass, elastic supports and initial states: against closed forms, resultants and each other.
+// 3D loads on sides, volumes and mass, elastic supports and initial states: against closed forms, resultants and each other.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(SolidLoads, WeighAnElementByItsVolume) {
 }
 
 TEUCHOS_UNIT_TEST(SolidLoads, SpreadBodyForceByTheIntegralsOfShapeFunctions) {
-  // Shares of the volume of an affine cell: of vertices, middles of edges, centres of sides, the centre.
+  // Fractions of the volume of an affine cell: of vertices, middles of edges, centres of sides, the centre.
   const std::map<Cell, std::vector<double>> shares{{Cell::Tetrahedron4, {0.25}},
                                                    {Cell::Tetrahedron10, {-0.05, 0.2}},
                                                    {Cell::Hexahedron8, {0.125}},
@@ -233,7 +233,7 @@ TEUCHOS_UNIT_TEST(SolidLoads, GiveTotalForcesAndMomentsToTheirGroups) {
     TEST_COMPARE((pulled.force - force).norm(), <, 1e-12);
     TEST_COMPARE(pulled.moment.norm(), <, 1e-12);  // at the centroid
     Load both = Load::moment("bar_right", Point{6.0, -1.0, 4.0});
-    both.groups.push_back("bar_top");  // an angle: no axis of its inertia is one of the scene's
+    both.groups.push_back("bar_top");  // an angle at which no principal axis of inertia is a scene axis
     const Resultant twisted = resolved(mesh, both, far);
     TEST_COMPARE(twisted.force.norm(), <, 1e-12);
     TEST_COMPARE((twisted.moment - moment).norm(), <, 1e-11);
@@ -285,7 +285,7 @@ TEUCHOS_UNIT_TEST(SolidLoads, ElasticSupportsAnswerTranslationsByTheirNormalAndT
     TEST_COMPARE((resultant(mesh, forces.nodal).force - expected).norm(), <, 1e-12 * expected.norm());
     TEST_COMPARE(forces.rounding.minCoeff(), >=, 0.0);
     supports.forEachSupport(u, [&](int, const Vector& own) { TEST_COMPARE((own + forces.nodal).norm(), <=, 1e-14 * own.norm()); });
-    // The stiffness that goes into the elements says the same.
+    // The stiffness added to the elements agrees.
     const Material& material = model.materialOfBody[0];
     const auto materialOf = [&](int) -> const Material& { return material; };
     Vector sum = Vector::Zero(u.size());
@@ -365,7 +365,7 @@ TEUCHOS_UNIT_TEST(SolidLoads, InitialStressIsThatOfABodyThatDoesNotMove) {
     Vector expected(6);
     expected << -3.0, 5.0, 1.0, 2.0, -1.0, 4.0;
     TEST_COMPARE((stress - expected).norm(), <, 1e-13);
-    // Nodal forces: the tractions of the stress on the sides, the other way round.
+    // Nodal forces: the tractions of the stress on the sides, with opposite sign.
     Vector flux = Vector::Zero(3 * one.block.nodes());
     for (const Side& side : sample::sidesOfElement(one.block)) addSideFlux(one.block, side, 1.0, flux);
     Eigen::Matrix3d s;

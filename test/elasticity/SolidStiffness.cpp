@@ -1,4 +1,4 @@
-// Element stiffness in space: against tractions on the elements' sides, closed forms, and what turns and incompressibility do.
+// 3D element stiffness: against tractions on the elements' sides and closed forms; effects of rotations and incompressibility.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/mesh/Generators.hpp>
@@ -42,7 +42,7 @@ Eigen::Matrix3d turn() {  // about no axis of the mesh
   return Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
 }
 
-// An anisotropic law without any symmetry among the scene's axes: 21 constants.
+// An anisotropic law without symmetry about the scene's axes: 21 constants.
 std::shared_ptr<const MaterialLaw> skewLaw() {
   const Matrix random = dense::random(6, 6, 5);
   return std::make_shared<GivenLaw>(ElasticStiffness(random * random.transpose() + 3.0 * Matrix::Identity(6, 6)));
@@ -67,7 +67,7 @@ std::vector<Material> materials(Cell cell) {
   return all;
 }
 
-// take(block, material) for every cell, straight and curved, and every material.
+// Calls take(block, material) for every cell, straight and curved, and every material.
 template <typename Take>
 void forEachElement(const Take& take) {
   for (const Cell cell : sample::solids())
@@ -118,7 +118,7 @@ TEUCHOS_UNIT_TEST(SolidStiffness, HasTheSixRigidModesAndNothingElseInItsNullSpac
     TEST_EQUALITY((k - k.transpose()).norm(), 0.0);
     const Vector eigenvalues = dense::eigenvalues(k);
     TEST_COMPARE(std::abs(eigenvalues[5]), <, 1e-13 * k.norm());
-    TEST_COMPARE(eigenvalues[6], >, 1e-3);  // order of mu times a length, whatever lambda
+    TEST_COMPARE(eigenvalues[6], >, 1e-3);  // order of mu times a length, for any lambda
   });
 }
 
@@ -180,7 +180,7 @@ TEUCHOS_UNIT_TEST(SolidStiffness, TurnsWithItsElement) {
 }
 
 TEUCHOS_UNIT_TEST(SolidStiffness, OfMixedElementsCountsItsPressures) {
-  // As many eigenvalues of the order of lambda as pressures, and so as many constraints in the limit.
+  // As many eigenvalues of the order of lambda as pressures, hence as many constraints in the limit.
   for (const Cell cell : sample::solids()) {
     if (cell == Cell::Tetrahedron4) continue;
     const Material rubber{"m", 1.0, 0.499999, ElementForm::Mixed};
@@ -191,7 +191,7 @@ TEUCHOS_UNIT_TEST(SolidStiffness, OfMixedElementsCountsItsPressures) {
 
 namespace {
 
-// Energy of a beam whose ends are turned against each other.
+// Energy of a beam whose ends are rotated against each other.
 double bendingEnergy(Cell cell, const Material& material) {
   Box box;
   box.cell = cell;
@@ -230,7 +230,7 @@ TEUCHOS_UNIT_TEST(SolidStiffness, OfMixedElementsDoesNotLock) {
     TEST_COMPARE(more, >, 0.98);
   }
   const double locked = bendingEnergy(Cell::Hexahedron8, {"m", 3.0, 0.4999}) / bendingEnergy(Cell::Hexahedron8, {"m", 3.0, 0.49});
-  TEST_COMPARE(locked, >, 2.0);  // what the test would find
+  TEST_COMPARE(locked, >, 2.0);  // what the test would detect
 }
 
 TEUCHOS_UNIT_TEST(SolidStiffness, RefusesAnInvertedElement) {

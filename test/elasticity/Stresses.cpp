@@ -37,7 +37,7 @@ Matrix rows(std::initializer_list<std::array<double, 4>> all) {
 }  // namespace
 
 TEUCHOS_UNIT_TEST(Stresses, FollowHookesLawInThreeDimensions) {
-  // The law written the other way round: strains from stresses, e_xx = (s_xx - nu (s_yy + s_zz)) / E, and so on.
+  // The inverse law: strains from stresses, e_xx = (s_xx - nu (s_yy + s_zz)) / E, and so on.
   const double exx = 1e-3, eyy = -4e-4, half = 3e-4;  // half the engineering shear
   const double e = steel.young, nu = steel.poisson;
   for (Cell cell : sample::cells())
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(Stresses, AcrossTheMeridianPlaneAreTheHoopStress) {
 }
 
 TEUCHOS_UNIT_TEST(Stresses, OfMixedElementsHaveTheMeanPressureOfTheElement) {
-  // u = (x^2, 0) on the square [0, 1]^2: the dilatation 2 x is 1 on the average, and at the centroid of a linear one.
+  // u = (x^2, 0) on the square [0, 1]^2: the dilatation 2 x is 1 on average, and at the centroid if it is linear.
   for (Cell cell : {Cell::Quadrilateral8, Cell::Quadrilateral9}) {
     const CellBlock block = sample::axisParallel(cell, 1, 1);
     Vector u = Vector::Zero(2 * block.nodes());
@@ -170,7 +170,7 @@ TEUCHOS_UNIT_TEST(Stresses, HaveTheVonMisesStressOfKnownCases) {
   TEST_FLOATING_EQUALITY(v[0], t, 1e-14);                   // uniaxial
   TEST_COMPARE(std::abs(v[1]), <, 1e-6);                    // hydrostatic
   TEST_FLOATING_EQUALITY(v[2], std::sqrt(3.0) * t, 1e-14);  // pure shear
-  TEST_FLOATING_EQUALITY(v[3], t, 1e-14);                   // equibiaxial: as uniaxial across
+  TEST_FLOATING_EQUALITY(v[3], t, 1e-14);                   // equibiaxial: like uniaxial out of plane
   TEST_FLOATING_EQUALITY(v[4], t, 1e-14);
-  TEST_FLOATING_EQUALITY(v[5], std::sqrt(3.0) * t, 1e-14);  // pure shear, turned by 45 degrees
+  TEST_FLOATING_EQUALITY(v[5], std::sqrt(3.0) * t, 1e-14);  // pure shear, rotated by 45 degrees
 }

@@ -30,7 +30,7 @@ bool accepts(const Work& work) {
   }
 }
 
-/// Ends the process, where a promise is broken that no exception tells.
+/// Ends the process if a broken promise raises no exception.
 inline void require(bool holds) {
   if (!holds) std::abort();
 }

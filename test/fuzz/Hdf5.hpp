@@ -8,7 +8,7 @@
 
 namespace fuzz {
 
-/// One process alone: MPI begins here, since HDF5 asks for it.
+/// One process alone: MPI starts here, since HDF5 needs it.
 inline void beginAlone() {
   int begun = 0;
   MPI_Initialized(&begun);

@@ -53,7 +53,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, LinearisationIsTheDerivativeOfTheResidual) {
     tangent.matrix->apply(*t.toSpread(d), *product);
     const Matrix expected = (t.toDense(*behind.residual) - t.toDense(*ahead.residual)) / (2 * h);
     TEST_COMPARE(difference(t.toDense(*product), expected), <, 1e-7);
-    // second difference of the energy, and the residual of the linear problem, which is exact while the status lasts
+    // second difference of the energy, and the residual of the linear problem, which is exact while the status does not change
     const double big = 1e-4;
     const double second =
         (at(t.spread, t.toSpread(u + big * d)).energy - 2 * here.energy + at(t.spread, t.toSpread(u - big * d)).energy) / (big * big);
@@ -77,7 +77,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, IsTheSameOnAnyNumberOfRanks) {
       TEST_FLOATING_EQUALITY(a.energy, b.energy, 1e-11);
       TEST_EQUALITY(a.active, b.active);
       TEST_EQUALITY(a.changed, b.changed);
-      TEST_EQUALITY(a.changed, pairs - a.active);  // from all closed
+      TEST_EQUALITY(a.changed, pairs - a.active);  // starting with all closed
       TEST_COMPARE(difference(t.toDense(*a.residual), t.toDenseSingle(*b.residual)), <, 1e-11);
       mixed += a.active > 0 && a.active < pairs;
     }
@@ -85,7 +85,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, IsTheSameOnAnyNumberOfRanks) {
   }
 }
 
-// Groups that touch each other: S_0 knows nothing of the seam between them.
+// Groups that touch each other: S_0 does not include the seam between them.
 TEUCHOS_UNIT_TEST(CondensedProblem, WithoutContactTheSeamBetweenTwoGroupsIsUntouched) {
   const Twins apart(stackedBlocks(3)), touching(stackedBlocks(2));
   TEST_EQUALITY(apart.spread.problem.withoutContact()->untouched(), 0);

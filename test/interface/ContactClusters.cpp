@@ -40,7 +40,7 @@ struct CrossPoint {
   }
 };
 
-// Columns: what the relations leave free.
+// Columns: the space that the relations leave free.
 Matrix freeColumns(const std::vector<InterfaceRelation>& relations, int unknowns) {
   Matrix t = Matrix::Identity(unknowns, unknowns);
   for (const InterfaceRelation& relation : relations) {
@@ -58,19 +58,19 @@ Matrix freeColumns(const std::vector<InterfaceRelation>& relations, int unknowns
   return columns;
 }
 
-// The same subspace as the null space that a singular value decomposition finds.
+// The same subspace as the null space found by a singular value decomposition.
 void spansTheNullSpace(const std::vector<InterfaceRelation>& relations, const Matrix& rows, bool& success, Teuchos::FancyOStream& out) {
   const Matrix columns = freeColumns(relations, int(rows.cols())), expected = nullSpace(rows);
   TEST_EQUALITY(columns.cols(), expected.cols());
   const Matrix basis = orthonormalBasis(columns, 1e-8);
   TEST_EQUALITY(basis.cols(), columns.cols());
   TEST_COMPARE((basis * basis.transpose() - expected * expected.transpose()).norm(), <, 1e-12);
-  for (const InterfaceRelation& relation : relations)  // nothing expressed by what is expressed itself
+  for (const InterfaceRelation& relation : relations)  // no unknown is expressed by expressed ones
     for (const InterfaceRelation& other : relations)
       TEST_ASSERT(std::find(relation.others.begin(), relation.others.end(), other.unknown) == relation.others.end());
 }
 
-// V1 with quadrilaterals of second order: coefficients between 1e-12 and 1e-10, of nodes that a mesher has put nearly on the line, were
+// V1 with second-order quadrilaterals: coefficients between 1e-12 and 1e-10, of nodes that a mesher has put nearly on the line, were
 // dropped, and nodal pressures wrong by 1.4e-10.
 TEUCHOS_UNIT_TEST(ContactClusters, SmallCoefficientsAreKept) {
   Vector stiffness = Vector::Ones(5);
@@ -105,7 +105,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, ARowThatFollowsFromOthersIsLeftOut) {
   spansTheNullSpace(clusters.relations(closed), cross.dense(closed), success, out);
 }
 
-// Two pairs between Cartesian nodes, each with a row along its normal and one along its tangent: one state decides about both.
+// Two pairs between Cartesian nodes, each with a row along its normal and one along its tangent: one state determines both.
 TEUCHOS_UNIT_TEST(ContactClusters, APairThatSticksHoldsItsTangentToo) {
   const double c = std::cos(0.4), s = std::sin(0.4);
   std::vector<Row> rows;
@@ -127,7 +127,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, APairThatSticksHoldsItsTangentToo) {
         for (int k = 0; k < 4; ++k) dense(dense.rows() - 1, row.places[k]) = row.coefficients[k];
       }
       spansTheNullSpace(clusters.relations(states), dense, success, out);
-      // Nodes that stick move as one: forces of the two rows are those of the vector between the nodes.
+      // Sticking nodes move together: forces of the two rows are those of the vector between the nodes.
       if (first != PairStatus::Stick) continue;
       Vector imbalance = Vector::Zero(9);
       imbalance.head(4) << -3.0, 5.0, 3.0, -5.0;  // side A is pushed back by (3, -5)
@@ -175,10 +175,10 @@ TEUCHOS_UNIT_TEST(ContactClusters, ForcesInBalanceAreFoundExactly) {
   const std::vector<ContactState> status{kClosed, kClosed, kOpen, kClosed};
   Vector force(3);
   force << 2.0, -1.5, 4.0;
-  // S U - F = -C^T f, forces pull back the unknowns on side A; C^T has full rank here, so that there is one answer
+  // S U - F = -C^T f, forces pull back the unknowns on side A; C^T has full rank here, so that the answer is unique
   const Vector found = clusters.forces(status, -cross.dense(status).transpose() * force);
   TEST_COMPARE(std::abs(found(0) - 2.0) + std::abs(found(1) + 1.5) + std::abs(found(2)) + std::abs(found(3) - 4.0), <, 1e-12);
-  // The rest that does not balance is weighed by compliance: C K^-1 (S U - F + C^T f) = 0
+  // The unbalanced remainder is weighted by compliance: C K^-1 (S U - F + C^T f) = 0
   Vector imbalance = Vector::LinSpaced(9, -1.0, 2.0);
   const Vector f = clusters.forces(status, imbalance);
   Vector closed(3);
@@ -197,7 +197,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, CorrectionMeetsTheClosedRowsAndIsTheSmallest)
   for (int i : {0, 2, 3}) TEST_COMPARE(std::abs(gaps(i)), <, 1e-15);
   const Matrix c = cross.dense({kClosed, kClosed, kClosed, kClosed});
   for (int i = 0; i < 4; ++i) TEST_FLOATING_EQUALITY(before(i), cross.rows[i].gap - c.row(i).dot(trace), 1e-14);
-  // smallest in the energy of the diagonal: orthogonal, in that energy, to all that leaves the rows as they are
+  // smallest in the energy of the diagonal: orthogonal, in that energy, to all vectors that do not change the rows
   const Matrix free = nullSpace(cross.dense(status));
   TEST_COMPARE((free.transpose() * cross.stiffness.cwiseProduct(change)).norm(), <, 1e-12 * cross.stiffness.norm() * change.norm());
   TEST_EQUALITY(clusters.correction(status, trace + change).norm(), 0.0);

@@ -72,7 +72,7 @@ std::vector<Vector> someValues(const Blocks& all) {
   return values;
 }
 
-/// A set of closed pairs has no friction: that they stick is a matter of their states.
+/// A set of closed pairs has no friction: sticking is a property of their states.
 InterfaceState allStuck(const ContactInterfaceProblem& problem, int pairs) {
   InterfaceState state = problem.friction()->stateWith(PairStates(static_cast<std::size_t>(pairs), PairStatus::Stick));
   problem.conform(state);
@@ -142,7 +142,7 @@ void agreesWithTheReference(const Scene& scene, bool& success, Teuchos::FancyOSt
       if (!pair.state.closed()) TEST_EQUALITY(pair.force, 0.0);
     }
 
-    // A step, and what the operator recorded of it: the state then remembers what a fresh application gives.
+    // A step, and what the operator recorded of it: the state then stores the result of a fresh application.
     const Matrix w = 0.01 * random(derived.size(), 1, 30 + pattern);
     const MultiVectorPtr step = derived.vector(w), product = derived.space.vector();
     linear.matrix->record();
@@ -157,7 +157,7 @@ void agreesWithTheReference(const Scene& scene, bool& success, Teuchos::FancyOSt
       u += length * (t * w).col(0);
       TEST_COMPARE((space.dense(*state.trace) - u).norm(), <, 1e-13 * u.norm());
     }
-    if (pattern == 0) {  // the state of all pairs closed or stuck, which remembers
+    if (pattern == 0) {  // the state with all pairs closed or sticking, with stored products
       one.problem.update(start, *step, 0.7, &image);
       TEST_ASSERT(start.memory != nullptr);
       const InterfaceProblem::Evaluation known = one.problem.evaluate(start);
@@ -209,7 +209,7 @@ TEUCHOS_UNIT_TEST(ContactInterfaceProblem, ASetOfClosedPairsHasNoFriction) {
   for (const ContactState& state : start.status.front()) TEST_ASSERT(state == ContactState(PairStatus::Stick));
 }
 
-// Semismooth Newton's choice of the next set, pair by pair: what pulls opens, what penetrates closes.
+// Semismooth Newton's choice of the next set, pair by pair: pulling pairs open, penetrating pairs close.
 TEUCHOS_UNIT_TEST(ContactInterfaceProblem, OpensWhatPullsAndClosesWhatPenetrates) {
   const OnInterface one(pressedBlocks(), world());
   InterfaceState state = one.problem.stateOf(someValues(one.all), statusOf(7, 1));

@@ -83,7 +83,7 @@ Scene crossingBlocks() {
     scene.sideA = sides[line][0];
     scene.sideB = sides[line][1];
     scene.pairUp(line == 2 ? Point{1, 0, 0} : Point{0, 1, 0});
-    // pieces that meet are one piece; of two rows of the lower block's node at (0, 0) each has its own partner
+    // pieces that meet are one piece; of two rows of the lower block's node at (0, 0) each has a different partner
     pieces.push_back({names[line], {}, {bodies[line][0], bodies[line][1]}, {}, 0.0, {}});
     for (ContactPair pair : scene.constraints.pairs) {
       pair.id = int(pairs.size());

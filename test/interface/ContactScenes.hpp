@@ -6,7 +6,7 @@ namespace suture::blocks {
 
 std::function<std::unique_ptr<SchurComplement>()> schurOf(const std::string& name = "Explicit");
 
-/// Free values of all subdomains of this rank: no displacement.
+/// Free values of all subdomains of this rank: zero displacement.
 std::vector<Vector> zeros(const Blocks& all);
 
 /// A scene in the formulation Contact On The Interface.
@@ -21,7 +21,7 @@ struct OnInterface {
   OnInterface(const Scene& scene, const CommPtr& comm, int count, int seed)
       : all(scene, comm, count, seed, false), problem(comm, all.partition, all.subdomains, localSolver(), schurOf()) {}
 
-  /// The operator of no displacement with one pair open of every so many; 0: all closed. Collective.
+  /// The operator at zero displacement with one of `openEvery` pairs open; 0: all closed. Collective.
   Teuchos::RCP<InterfaceOperator> matrix(const Scene& scene, int openEvery = 0) const;
 };
 
@@ -30,11 +30,11 @@ Scene swapped(Scene scene);
 
 void turn(Point& p, double angle);
 
-/// The whole scene turned. Contact nodes stay Cartesian, so that a contact row is an equation between four unknowns.
+/// The whole scene rotated. Contact nodes stay Cartesian, so that a contact row is an equation between four unknowns.
 Scene turned(Scene scene, double angle);
 
-/// Two blocks, the lower fixed, each node of the line held in one component somewhere: one end may not slide, another node of side A not
-/// move along the normal, a pair is held on both sides and cannot change. Some pairs interfere, some are open.
+/// Two blocks, the lower fixed, some nodes of the line held in one component: one end cannot slide, another node of side A cannot move
+/// along the normal, a pair is held on both sides and cannot change. Some pairs interfere, some are open.
 Scene heldOnTheLine();
 
 /// Two blocks side by side, in contact with each other and with one below; both pieces, and all three bodies, meet in the point (0, 0). Two

@@ -12,7 +12,7 @@
 namespace suture::blocks {
 
 /// Vectors and operators of an interface space as dense ones, whose rows are all unknowns, ascending by id: the same on any number of
-/// ranks. By the map alone; of the space's own gather and scatter nothing is used. All functions but place() are collective.
+/// ranks. Built from the map alone, without the space's own gather and scatter. All functions except place() are collective.
 struct DenseSpace {
   const InterfaceSpace& space;
   std::vector<GlobalId> ids;
@@ -27,7 +27,7 @@ struct DenseSpace {
   Matrix dense(const MultiVector& values) const;
   Matrix dense(const Operator& op) const;
   /// Result of gather() for unit vectors: the matrix T of a space's relations, all unknowns x all unknowns. Rows that several ranks see
-  /// must agree; `spread` is by how much they do not.
+  /// must agree; `spread` is the largest difference.
   Matrix gathered(double* spread = nullptr) const;
 };
 

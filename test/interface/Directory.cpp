@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(Directory, NumbersAreJoinedOverAllRanksThatSeeAnId) {
   TEST_EQUALITY(all.back().front(), 200);
 }
 
-// Each rank knows how its own unknown moves, and sees its neighbour's, too.
+// Each rank knows how its own unknown moves, and also sees its neighbour's.
 TEUCHOS_UNIT_TEST(Directory, UnknownsAreThoseOfTheRanksThatKnowThem) {
   const int rank = world()->getRank(), ranks = world()->getSize();
   const auto unknownOf = [](int r) { return InterfaceLayout::Unknown{7 * r, {1.0 * r, 2, 3}, {0, 1.0 + r, 0}, {0, 0, 4.0 - r}, 0.5 * r}; };

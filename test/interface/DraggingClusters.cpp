@@ -1,4 +1,4 @@
-// Contact rows whose normal forces drag along the tangents: relations of the virtual displacements, and forces.
+// Contact rows whose normal forces induce tangential forces: relations of the virtual displacements, and forces.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/DenseAlgebra.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
@@ -57,7 +57,7 @@ struct RandomRows {
     for (std::size_t k = 0; k < row.places.size(); ++k) all(row.places[k]) += row.coefficients[k];
     return all;
   }
-  /// Rows that hold, and the same with what normal forces drag along.
+  /// Holding rows, with and without the tangential forces induced by normal forces.
   void dense(const std::vector<ContactState>& states, Matrix& holds, Matrix& drags) const {
     std::vector<Vector> first, second;
     for (const ContactClusters::Row& row : rows) {
@@ -168,7 +168,7 @@ TEUCHOS_UNIT_TEST(DraggingClusters, PlantedForcesAreFoundAgain) {
             if (!state.closed() || (row.component > 0 && state.status != PairStatus::Stick)) continue;
             planted(i) = 2.0 + value(random);
             imbalance -= planted(i) * given.denseRow(row);
-            // A pair that slips under Coulomb's law: its normal force brings friction times itself along the tangents.
+            // A pair that slips under Coulomb's law: its normal force induces a tangential force of friction times itself.
             if (row.component == 0 && state.status == PairStatus::Slip)
               for (int component = 1; component < dimension; ++component)
                 imbalance -= planted(i) * state.friction * state.direction[component] *

@@ -1,4 +1,4 @@
-// Contact with friction on the interface beside dense algebra: states, tangents, forces and slips.
+// Contact with friction on the interface against dense algebra: states, tangents, forces and slips.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <interface/DenseSpace.hpp>
@@ -72,7 +72,7 @@ struct DenseFriction {
     return row;
   }
 
-  /// The linear problem of states: rows that hold, the same with drag, springs, loads of known forces.
+  /// The linear problem of states: rows that hold, the same with induced tangential forces, springs, loads of known forces.
   struct Linear {
     Matrix holds, drags, stiffness;
     Vector right, gaps;
@@ -129,7 +129,7 @@ void tangentIsPetrovGalerkin(const Scene& scene, bool coulomb, bool& success, Te
     std::vector<int> expressed, free;
     for (int j = 0; j < t.cols(); ++j) (t.col(j).norm() == 0.0 ? expressed : free).push_back(j);
     TEST_EQUALITY(Eigen::Index(expressed.size()), expected.holds.rows());
-    // Virtual displacements: the same unknowns expressed, by the rows in which normal forces drag.
+    // Virtual displacements: the same unknowns expressed, by the rows whose normal forces induce tangential ones.
     Matrix dual = Matrix::Zero(t.rows(), t.cols());
     for (const int j : free) dual(j, j) = 1.0;
     if (!expressed.empty()) {
@@ -163,7 +163,7 @@ TEUCHOS_UNIT_TEST(FrictionStates, TangentsOfCoulombTestWithTheDraggedRows) {
         tangentIsPetrovGalerkin(rubbedBlocks(dimension, sides, scenes::dry(0.1, 0.3), 2, false, angle), true, success, out);
 }
 
-// A trace that solves the linear problem of some states: forces, slips and penetrations are those of the saddle-point system.
+// For a trace that solves the linear problem of some states, forces, slips and penetrations equal those of the saddle-point system.
 TEUCHOS_UNIT_TEST(FrictionStates, ForcesAndSlipsAreThoseOfTheSaddlePointProblem) {
   for (const int dimension : {2, 3})
     for (const Sides sides : {Sides::Matching, Sides::Mortar, Sides::Obstacle}) {
@@ -201,7 +201,7 @@ TEUCHOS_UNIT_TEST(FrictionStates, ForcesAndSlipsAreThoseOfTheSaddlePointProblem)
       }
       TEST_COMPARE((values.force - force).norm(), <, 1e-8 * force.norm());
       TEST_COMPARE((values.jump - jump).norm(), <, 1e-10 * jump.norm());
-      // Values told of the pairs: Cartesian tangential forces of the same size, on the plane of the contact.
+      // Reported values of the pairs: Cartesian tangential forces of the same size, in the contact plane.
       const InterfaceProblem::Recovered found = one.problem.recover(state);
       double worst = 0.0;
       for (const PairForce& pair : found.pairs) {
@@ -227,11 +227,11 @@ TEUCHOS_UNIT_TEST(FrictionStates, GoThroughTheFormulationUnchanged) {
         TEST_ASSERT(friction.statesOf(friction.stateWith(states).status) == states);
         const ClosedSet closed = one.problem.closedSet(status);
         for (int p = 0; p < pairs; ++p) TEST_EQUALITY(closed[p] != 0, states[p].closed());
-        // By the ids of pairs, as a checkpoint has them.
+        // By the ids of pairs, as in a checkpoint.
         std::map<int, ContactState> kept;
         for (int p = 0; p < pairs; ++p) kept[p] = states[p];
         TEST_ASSERT(friction.statesOf(one.problem.stateOf(zeros(one.all), kept).status) == states);
-        // Two lists differ where a state does.
+        // Two lists differ where a state differs.
         const PairStates others = randomStates(pairs, dimension, seed + 100, true);
         std::vector<int> expected;
         for (int p = 0; p < pairs; ++p)
@@ -262,7 +262,7 @@ TEUCHOS_UNIT_TEST(FrictionStates, AreNotThereWithoutFriction) {
   TEST_ASSERT(guided.problem.friction() == nullptr);
 }
 
-/// Three loose blocks on each other, the contact of the lower two by one law, that of the upper two by another.
+/// Three loose stacked blocks, the lower contact with one law, the upper with another.
 struct LooseStack {
   Scene scene;
 
@@ -282,7 +282,7 @@ struct LooseStack {
         scene.mesh, {}, {Contact::between("blocka_top", "blockb_bottom"), Contact::between("blockb_top", "blockc_bottom")});
     applyLaws(ContactLaws(std::move(laws)), scene.mesh, scene.constraints);
   }
-  /// Motions that the pairs leave to the bodies as a whole.
+  /// Rigid motions that the pairs leave free.
   int motions() {
     const Blocks blocks(scene, world(), 3, 1, false);
     std::vector<const SubdomainMesh*> meshesOf;

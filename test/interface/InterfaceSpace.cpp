@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, KnowsEntitiesAndSharersOfAGrid) {
     }
     if (!vertex) packer.put(ids);
   }
-  std::set<std::vector<GlobalId>> edges;  // an edge that two ranks describe must be the same to the order of its unknowns
+  std::set<std::vector<GlobalId>> edges;  // an edge that two ranks describe must be identical, including the order of its unknowns
   for (const std::string& bytes : allGather(*world(), packer.bytes())) {
     Unpacker unpacker(bytes);
     while (!unpacker.done()) edges.insert(unpacker.get<std::vector<GlobalId>>());
@@ -133,13 +133,13 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, KnowsEntitiesAndSharersOfAGrid) {
   TEST_EQUALITY(edges.size(), 12u);
 }
 
-// Local problems by hand, dealt out to the ranks; every rank sees every unknown that a relation names.
+// Local problems by hand, distributed over the ranks; every rank sees every unknown that a relation names.
 struct ByHand {
   InterfaceLayout layout;
   std::shared_ptr<const InterfaceSpace> space;
   ByHand(const std::vector<std::vector<GlobalId>>& boundaries, const std::vector<GlobalId>& partners, int dimension = 2) {
     for (int i = world()->getRank(); i < int(boundaries.size()); i += world()->getSize()) {
-      layout.dimension = dimension;  // other ranks do not know it
+      layout.dimension = dimension;  // unknown to other ranks
       layout.locals.push_back(i);
       layout.boundaries.push_back(boundaries[i]);
       for (const GlobalId id : boundaries[i]) layout.unknowns.push_back({id, {double(id), 0, 0}, {1, 0, 0}});
@@ -231,9 +231,9 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, RelationsJoinSharersAndHoldWhatSeveralExpress)
     TEST_ASSERT(sharers(expressed).empty());
     TEST_EQUALITY(r.space->entityOfPlaces()[r.at(expressed)], -1);
     TEST_ASSERT(r.space->relation(r.at(expressed)) != nullptr);
-    TEST_EQUALITY(r.plain->sharers(r.at(expressed)).size(), expressed == 20 ? 1u : 2u);  // the space itself is as it was
+    TEST_EQUALITY(r.plain->sharers(r.at(expressed)).size(), expressed == 20 ? 1u : 2u);  // the space itself is unchanged
   }
-  // 30 is shared by two by a relation alone, on no chain: it would be in no edge.
+  // 30 is shared by two through a relation only, on no chain: it would be in no edge.
   TEST_ASSERT(points[r.at(13)] && points[r.at(31)] && points[r.at(30)]);
   TEST_THROW(r.space->related({}, {}), InternalError);
 }

@@ -22,7 +22,7 @@ struct Interface {
   const InterfaceOperator& matrix() const { return *linearised.matrix; }
 };
 
-/// A distributed interface and the same alone on every rank, whose unknowns, ascending, are the rows of dense vectors and matrices here:
+/// A distributed interface and its copy on every rank alone, whose unknowns, ascending, are the rows of dense vectors and matrices here:
 /// the same on any number of ranks.
 struct Twins {
   Interface spread, single;
@@ -39,7 +39,7 @@ struct Twins {
   /// Collective.
   Matrix toDense(const MultiVector& values) const;
 
-  /// The same of a vector of the single twin, whose order on one rank need not be ascending. Local.
+  /// The same for a vector of the copy, whose order on one rank need not be ascending. Local.
   Matrix toDenseSingle(const MultiVector& values) const;
 
   /// A distributed operator as a dense matrix, column by column. Collective.
@@ -54,8 +54,8 @@ struct Twins {
 Scene pressed(Scene scene);
 inline Scene pressedBlocks(int refinement = 1) { return pressed(wavyBlocks(100.0, 40.0, refinement)); }
 
-/// Three blocks on each other, the lowest fixed, the uppermost turned down on its right end; two contact groups, which may live on two
-/// ranks. \param middleRows  subdomains of the middle block: with 3 a plain one lies between the groups, with 2 they touch
+/// Three stacked blocks, the lowest fixed, the uppermost turned down on its right end; two contact groups, which may be on two ranks.
+/// \param middleRows  subdomains of the middle block: with 3 a plain one lies between the groups, with 2 they touch
 Scene stackedBlocks(int middleRows);
 
 /// A rectangle of 3 x 2 subdomains moved on its left side and loaded; no contact.

@@ -58,12 +58,12 @@ TEUCHOS_UNIT_TEST(AssignBodies, RefusesElementsInTwoBodies) {
 TEUCHOS_UNIT_TEST(AssignBodies, RefusesBodiesThatShareNodes) {
   Mesh mesh = twoSquares();
   const Mesh sound = mesh;
-  // glue the three nodes of the line y = 1: the upper body's take the lower's numbers
+  // glue the three nodes of the line y = 1: the upper body's nodes take the numbers of the lower
   for (int& node : mesh.connectivity)
     if (node >= 9 && node < 12) node -= 3;
   const std::string said = saidOf(mesh);
   SUTURE_CHECK_SAYS(said, "Bodies/lower: shares 3 nodes (the first at (0, 1)) with the body 'upper'");
-  SUTURE_CHECK_SAYS(said, "Mesh: boxes: 3 nodes (the first at (0, 1)) in no element");  // the upper's own are orphans now
+  SUTURE_CHECK_SAYS(said, "Mesh: boxes: 3 nodes (the first at (0, 1)) in no element");  // the upper body's old nodes are orphans now
   TEST_EQUALITY(saidOf(sound), "no error");
 }
 
@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(AssignBodies, RefusesTangledCurvedElementsWithTheirPlace) {
   box.cell = Cell::Triangle6;
   Mesh mesh = boxes({box});
   for (int node = 0; node < mesh.nodes(); ++node)
-    if (mesh.point(node) == Point{0.25, 0, 0}) mesh.coordinates[2 * node + 1] = 0.4;  // the middle of a side of element 0, bent into it
+    if (mesh.point(node) == Point{0.25, 0, 0}) mesh.coordinates[2 * node + 1] = 0.4;  // the middle of a side of element 0, moved into it
   std::string said = "no error";
   try {
     assignBodies(mesh, {"body"});
@@ -123,7 +123,8 @@ TEUCHOS_UNIT_TEST(AssignBodies, ChecksTheShapesOfCellsInSpace) {
   }
 }
 
-// Most elements are accepted without their least determinant, by a bound on it: never one whose least determinant is not positive.
+// Most elements are accepted by a bound without computing their least determinant; none whose least determinant is not positive is
+// accepted.
 TEUCHOS_UNIT_TEST(AssignBodies, AcceptsExactlyThoseCellsInSpaceWhoseLeastDeterminantIsPositive) {
   std::mt19937 random(11);
   int accepted = 0, refused = 0;

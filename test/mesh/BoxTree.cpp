@@ -1,4 +1,4 @@
-// A tree of boxes against a look at every box.
+// A tree of boxes against a check of every box.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/BoxTree.hpp>

@@ -49,13 +49,13 @@ TEUCHOS_UNIT_TEST(Cell, EdgesAreThoseOfTheDrawingInTheOrderOfTheirMiddles) {
       TEST_ASSERT(edges.insert(std::minmax(a, b)).second && a < info.vertices && b < info.vertices && a != b);
       if (info.order == 2) TEST_COMPARE(distanceFromMean(block, info.vertices + static_cast<int>(e), {a, b}), <, 1e-14);
     }
-    // Euler: vertices - edges + sides = 2; in the plane as many edges as vertices.
+    // Euler: vertices - edges + sides = 2; in 2D there are as many edges as vertices.
     const int sides = static_cast<int>(info.sideNodes.size()), vertices = info.vertices;
     TEST_EQUALITY(static_cast<int>(edges.size()), info.dimension == 2 ? vertices : vertices + sides - 2);
   }
 }
 
-// Every vertex of a convex cell lies on a side or behind it, and every edge is run once in either direction.
+// Every vertex of a convex cell lies on a side or behind it, and every edge is traversed once in each direction.
 TEUCHOS_UNIT_TEST(Cell, SidesInSpaceRunCounterClockwiseSeenFromOutside) {
   for (const Cell cell : referencecells::solid) {
     const CellInfo& info = cellInfo(cell);

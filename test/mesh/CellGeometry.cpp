@@ -26,8 +26,8 @@ void bend(CellBlock& block, double most, std::mt19937& random) {
   for (double& x : block.coordinates) x += (random() / 4294967296.0 - 0.5) * 2 * most;
 }
 
-/// The map of one element as a combination of powers through its nodes, and the least of its determinant on a fine grid: nothing of it
-/// from the code.
+/// The map of one element as a combination of monomials through its nodes, and the least determinant on a fine grid: independent of the
+/// code.
 class Sampled {
  public:
   explicit Sampled(Cell cell) : cell_(cell), dimension_(dimensionOf(cell)) {
@@ -47,7 +47,7 @@ class Sampled {
           else if (cell == Cell::Wedge6)
             add({double(i) / n, double(j) / n, place(k)});
           else if (cell == Cell::Pyramid5)
-            add({place(i) * (1 - c) * (1 - 1e-9), place(j) * (1 - c) * (1 - 1e-9), c * (1 - 1e-9)});  // beside the apex
+            add({place(i) * (1 - c) * (1 - 1e-9), place(j) * (1 - c) * (1 - 1e-9), c * (1 - 1e-9)});  // off the apex
           else
             add({place(i), place(j), dimension_ == 2 ? 0 : place(k)});
         }
@@ -84,7 +84,7 @@ class Sampled {
 
   void add(const Point& place) { places_.push_back(place); }
 
-  /// A product of powers of the coordinates; of a pyramid also x y / (1 - z).
+  /// A product of powers of the coordinates; for a pyramid also x y / (1 - z).
   Jet function(int i, const Point& p) const {
     if (cell_ == Cell::Pyramid5 && i == 4) {
       const double below = std::max(1 - p[2], 1e-12);
@@ -97,8 +97,8 @@ class Sampled {
         jet[d] *= d == k + 1 ? (power[k] == 0 ? 0 : power[k] * std::pow(p[k], power[k] - 1)) : std::pow(p[k], power[k]);
     return jet;
   }
-  /// Powers in each coordinate: of total degree p in simplices, at most p in each coordinate of the others, and in cells without nodes in
-  /// their sides only one of them with a square (serendipity).
+  /// Powers in each coordinate: of total degree p in simplices, at most p in each coordinate otherwise; in cells without nodes inside their
+  /// sides only one of them is squared (serendipity).
   std::vector<std::array<int, 3>> powers() const {
     const CellInfo& info = cellInfo(cell_);
     const bool serendipity = cell_ == Cell::Quadrilateral8 || cell_ == Cell::Hexahedron20;
@@ -155,7 +155,7 @@ TEUCHOS_UNIT_TEST(CellGeometry, SeesAMidSideNodeThatFoldsTheElement) {
   for (const auto& [cell, middle] : {std::pair(Cell::Triangle6, 3), {Cell::Tetrahedron10, 4}}) {
     CellBlock block = drawn(cell);
     TEST_COMPARE(smallestJacobian(block, 0), >, 0.9);
-    block.coordinates[std::size_t(block.dimension) * middle] = 7 + 0.8;  // the middle of the first side, beyond three quarters of it
+    block.coordinates[std::size_t(block.dimension) * middle] = 7 + 0.8;  // the middle of the first side, moved beyond three quarters of it
     TEST_COMPARE(smallestJacobian(block, 0), <, -0.1);
   }
 }
@@ -164,7 +164,7 @@ TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfCurvedElementsBetweenT
   std::mt19937 random(1);
   for (const Cell cell : {Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9}) {
     Sampled sampled(cell);
-    int hidden = 0;  // elements that are sound at all nodes and folded between them
+    int hidden = 0;  // elements that are valid at all nodes and folded between them
     for (int k = 0; k < 300; ++k) {
       CellBlock block = drawn(cell);
       bend(block, 0.4, random);
@@ -180,7 +180,7 @@ TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfCurvedElementsBetweenT
   }
 }
 
-// The grid is coarse in space: its least value lies above the true one by little more than the square of a step.
+// In 3D the grid is coarse: its least value exceeds the true one by little more than the square of a step.
 TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfBentCellsInSpace) {
   std::mt19937 random(7);
   for (const Cell cell : referencecells::solid) {
@@ -205,7 +205,7 @@ TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfBentCellsInSpace) {
   }
 }
 
-// A hexahedron whose sections are a bent quadrilateral has its determinant, and like it may be folded between sound nodes.
+// A hexahedron whose sections are a bent quadrilateral has its determinant, and like it may be folded between valid nodes.
 TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfAnExtrudedElement) {
   std::mt19937 random(1);
   Sampled sampled(Cell::Quadrilateral9);
@@ -226,7 +226,7 @@ TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfAnExtrudedElement) {
   TEST_COMPARE(hidden, >, 0);
 }
 
-// Products of three lengths are not finite there; no search for their least value ends.
+// Products of three lengths overflow here; a search for their least value would not end.
 TEUCHOS_UNIT_TEST(CellGeometry, GivesNoFiniteNumberWherePlacesAreTooLarge) {
   for (const Cell cell : referencecells::solid) {
     CellBlock block = drawn(cell);

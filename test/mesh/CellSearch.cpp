@@ -1,4 +1,4 @@
-// Elements that hold points: of every cell, straight and curved, in the plane and in space.
+// Search for the elements that contain points: all cells, straight and curved, in 2D and 3D.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ CellBlock unitBox(Cell cell, int n) {
   return boxes({box});
 }
 
-/// The same with its inside bent: sides of second-order cells are curved, faces of hexahedra are not plane.
+/// The same with a distorted inside: sides of second-order cells are curved, faces of hexahedra are not plane.
 CellBlock bentBox(Cell cell, int n) {
   CellBlock block = unitBox(cell, n);
   const double pi = std::acos(-1.0);
@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(CellSearch, TakesAPointALittleOutsideForOneInTheElement) {
   }
 }
 
-/// The nearest point of the unit box is that whose coordinates are cut off at its sides.
+/// The nearest point of the unit box has its coordinates clipped to its sides.
 TEUCHOS_UNIT_TEST(CellSearch, FindsTheNearestElementAndExtrapolates) {
   std::mt19937 random(7);
   for (const Cell cell : all())
@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(CellSearch, FindsTheNearestElementAndExtrapolates) {
         TEST_FLOATING_EQUALITY(found.distance, distance, 1e-12);
         TEST_COMPARE(norm(minus(found.foot, foot)), <, 1e-12 * (1 + distance));
         TEST_COMPARE(found.outside, >=, CellSearch::kNear);
-        // Close to the box the map goes on, farther away the foot counts.
+        // Near the box the map is extrapolated; farther away the projection counts.
         const Point there = image(block, found.element, found.at);
         if (reach < 1) TEST_COMPARE(norm(minus(there, p)), <, 1e-11);
         TEST_COMPARE(std::min(norm(minus(there, p)), norm(minus(there, foot))), <, 1e-11);

@@ -82,7 +82,7 @@ TEUCHOS_UNIT_TEST(Generators, ShareNoNodeButTheirPlaces) {
 }
 
 TEUCHOS_UNIT_TEST(Generators, AlternateTheDiagonals) {
-  // Then inner nodes meet eight and four triangles in turn; with parallel diagonals all would meet six.
+  // Then inner nodes belong to eight and four triangles in turn; with parallel diagonals all would belong to six.
   const Mesh mesh = boxes({box("b", 0, 2)});
   std::vector<int> meets(mesh.nodes(), 0);
   for (const int node : mesh.connectivity) ++meets[node];

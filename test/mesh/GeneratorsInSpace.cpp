@@ -1,4 +1,4 @@
-// Boxes in space, filled with every cell.
+// 3D boxes, meshed with every cell.
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Generators.hpp>
@@ -47,7 +47,7 @@ std::vector<Side> outsideOf(const Mesh& mesh, const std::string& name) {
   return all;
 }
 
-/// Each side as the set of the places of its nodes.
+/// Each side as the set of its nodes' coordinates.
 std::set<std::set<Point>> placesOf(const Mesh& mesh, const std::vector<Side>& sides) {
   std::set<std::set<Point>> all;
   for (const Side& side : sides) {
@@ -80,7 +80,7 @@ TEUCHOS_UNIT_TEST(GeneratorsInSpace, FillTheBoxesWithEveryCell) {
     TEST_FLOATING_EQUALITY(volumeOf(mesh, mesh.elementGroups.at("lower")), 12.0, 1e-13);
     TEST_FLOATING_EQUALITY(volumeOf(mesh, mesh.elementGroups.at("upper")), 6.0, 1e-13);
     for (int e = 0; e < mesh.elements(); ++e) TEST_COMPARE(smallestJacobian(mesh, e), >, 0);
-    // Middles lie in the middle: the cells are those that the code draws, under an affine map.
+    // Middle nodes lie in the middle: the cells are those of the code's drawings under an affine map.
     const CellInfo& info = cellInfo(count.cell);
     for (int e = 0; e < mesh.elements(); ++e)
       for (std::size_t k = 0; info.order == 2 && k < info.edges.size(); ++k) {
@@ -116,7 +116,7 @@ TEUCHOS_UNIT_TEST(GeneratorsInSpace, NameTheSixSides) {
   }
 }
 
-// The six sides together are the closed surface of the box, and the boundary of the mesh.
+// The six sides together are the closed surface of the box and the boundary of the mesh.
 TEUCHOS_UNIT_TEST(GeneratorsInSpace, HaveAClosedSurface) {
   for (const Cell cell : referencecells::solid) {
     const Mesh mesh = boxes({solidBox("b", 0, 2, cell)});
@@ -131,7 +131,7 @@ TEUCHOS_UNIT_TEST(GeneratorsInSpace, HaveAClosedSurface) {
     for (int e = 0; e < mesh.elements(); ++e)
       for (std::size_t s = 0; s < cellInfo(cell).sideNodes.size(); ++s) boundary += table.onBoundary({e, static_cast<int>(s)});
     TEST_EQUALITY(boundary, surface.sides());
-    // Gauss: the volume is a third of the flux of the place, here by the exact areas at the vertices of linear sides.
+    // Gauss: the volume is a third of the flux of the position, here by the exact areas at the vertices of linear sides.
     double flux = 0;
     for (const Side& side : outside) {
       const Surface one(mesh, {side});
@@ -143,7 +143,7 @@ TEUCHOS_UNIT_TEST(GeneratorsInSpace, HaveAClosedSurface) {
 
 TEUCHOS_UNIT_TEST(GeneratorsInSpace, HaveMatchingSidesWhereBoxesMeet) {
   for (const Cell cell : referencecells::solid)
-    for (const int layers : {1, 2}) {  // whatever the number of cells across
+    for (const int layers : {1, 2}) {  // for any number of cells across
       Box lower = solidBox("lower", 0, 2, cell), upper = solidBox("upper", 2, 3, cell), behind = solidBox("behind", 0, 2, cell);
       lower.nz = layers;
       behind.nz = layers, behind.y0 = 1.5, behind.y1 = 2;

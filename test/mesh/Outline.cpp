@@ -1,4 +1,4 @@
-// Sides of one element only, against a table of all sides.
+// Sides that belong to one element only, against a table of all sides.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/mesh/Outline.hpp>
@@ -26,7 +26,7 @@ TEUCHOS_UNIT_TEST(Outline, IsWhatATableOfAllSidesFinds) {
     box.nx = box.ny = box.nz = 4;
     other.nx = 3, other.ny = 2, other.nz = 1;
     other.name = "other";
-    other.x0 = 1, other.x1 = 2;  // sides that touch, and share no node
+    other.x0 = 1, other.x1 = 2;  // sides that touch without a common node
     const Mesh mesh = boxes({box, other});
     const std::vector<Side> sides = outline(mesh), all = search(mesh);
     TEST_EQUALITY(sides.size(), all.size());

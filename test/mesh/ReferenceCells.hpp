@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-/// Cells drawn by hand, for tests of what the code knows about them.
+/// Cells written by hand, for tests of the code's cell data.
 namespace referencecells {
 
 using suture::Cell;
@@ -22,7 +22,7 @@ inline std::vector<Cell> all() {
   return cells;
 }
 
-/// Places of a cell's nodes, read from the drawings of VTK's file formats (the base of the wedge as in Gmsh).
+/// Coordinates of a cell's nodes, read from the drawings of VTK's file formats (the base of the wedge as in Gmsh).
 inline std::vector<Point> places(Cell cell) {
   static const std::vector<Point> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.5, 0, 0}, {.5, .5, 0}, {0, .5, 0}};
   static const std::vector<Point> square{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},  {-1, 1, 0}, {0, -1, 0},
@@ -65,7 +65,7 @@ inline std::vector<Point> places(Cell cell) {
   return {};
 }
 
-/// Area or volume of what places() draws.
+/// Area or volume of the cell of places().
 inline double size(Cell cell) {
   switch (cell) {
     case Cell::Triangle3:
@@ -87,7 +87,7 @@ inline double size(Cell cell) {
   }
 }
 
-/// One element: the image of the drawing under x -> (columns) x + shift.
+/// One element: the image of the cell under x -> (columns) x + shift.
 inline CellBlock image(Cell cell, const std::vector<Point>& columns, const Point& shift = {7, -3, 2}) {
   CellBlock block;
   block.dimension = suture::dimensionOf(cell);
@@ -102,7 +102,7 @@ inline CellBlock image(Cell cell, const std::vector<Point>& columns, const Point
   return block;
 }
 
-/// A point inside the drawing.
+/// A point inside the cell.
 inline Point inside(Cell cell, std::mt19937& random) {
   Point sum{0, 0, 0};
   double total = 0;

@@ -1,4 +1,4 @@
-// Shape functions of every cell against what defines them: values at the nodes, polynomials, finite differences.
+// Shape functions of every cell against their definition: values at the nodes, polynomials, finite differences.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/mesh/ShapeFunctions.hpp>
 
@@ -19,7 +19,7 @@ TEUCHOS_UNIT_TEST(ShapeFunctions, AreOneAtTheirNodeAndZeroAtTheOthers) {
   }
 }
 
-// A cell of order p has all polynomials of that degree: 1 (so that the functions sum to one), x, y, z, and the products of two of them.
+// A cell of order p contains all polynomials of that degree: 1 (the functions sum to one), x, y, z, and the products of two of them.
 TEUCHOS_UNIT_TEST(ShapeFunctions, ReproducePolynomialsOfTheirOrder) {
   std::mt19937 random(3);
   for (const Cell cell : referencecells::all()) {

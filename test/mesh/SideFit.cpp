@@ -1,4 +1,4 @@
-// Boxes of different cells, glued where they meet.
+// Boxes of different cells, glued together.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/mesh/SideFit.hpp>
@@ -12,7 +12,7 @@ using namespace suture;
 
 namespace {
 
-/// Two unit cubes of 2 x 2 x 1 cells in one body, the second above the first, or beside it in x.
+/// Two unit cubes of 2 x 2 x 1 cells in one body, the second above the first, or next to it in x.
 Mesh gluedCubes(Cell first, Cell second, bool above = true) {
   Box one, other;
   one.name = "one", one.cell = first;
@@ -67,7 +67,7 @@ TEUCHOS_UNIT_TEST(SideFit, RefusesTrianglesOnAQuadrilateral) {
   SUTURE_CHECK_SAYS(fitOf(gluedCubes(Cell::Wedge6, Cell::Tetrahedron10, false)), "8 triangles on a quadrilateral (the first at (1, 0.");
 }
 
-// A wedge whose triangle lies on the quadrilateral of another one: cells of one kind, too.
+// A wedge whose triangle lies on the quadrilateral of another one: also for cells of one kind.
 TEUCHOS_UNIT_TEST(SideFit, RefusesWedgesThatAreTurned) {
   Mesh mesh;
   mesh.dimension = 3;

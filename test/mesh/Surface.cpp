@@ -1,4 +1,4 @@
-// Surfaces that are known by hand: lines in the plane, and the faces of cubes in space.
+// Surfaces known by hand: lines in 2D, and the faces of cubes in 3D.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/Generators.hpp>
@@ -73,7 +73,8 @@ std::vector<SideNodes> secondOrder(std::vector<Point>& points, const std::vector
   return all;
 }
 
-/// Checks that neighbours share a facet, run against each other along it, and know each other; number of facets on the rim.
+/// Checks that neighbours share a facet, traverse it in opposite directions, and refer to each other; returns the number of facets on the
+/// rim.
 int rimOf(const Surface& surface, Teuchos::FancyOStream& out, bool& success) {
   int rim = 0;
   for (int side = 0; side < surface.sides(); ++side)
@@ -150,7 +151,7 @@ TEUCHOS_UNIT_TEST(Surface, HasTributaryAreasOfTheWholeCircleInAxisymmetricMeshes
     const Surface cone(mesh, mesh.sideGroups.at("box_bottom"));
     TEST_FLOATING_EQUALITY(area(cone), pi * 4 * 5, 1e-13);
     if (cell != Cell::Triangle3) continue;
-    // On the axis the cone of height one of its hat function: pi r s / 3; at the rim by the same integral.
+    // On the axis the volume of the cone of height one of its hat function: pi r s / 3; at the rim by the same integral.
     const double h = 0.5, slant = 0.625;
     TEST_FLOATING_EQUALITY(cone.at(nodeAt(cone, {0, 0, 0})).tributary, pi * h * slant / 3, 1e-13);
     TEST_FLOATING_EQUALITY(cone.at(nodeAt(cone, {4, 3, 0})).tributary, pi * slant * (4 - h / 3), 1e-13);
@@ -189,8 +190,8 @@ TEUCHOS_UNIT_TEST(Surface, HasNormalsAndAreasOfACube) {
   TEST_FLOATING_EQUALITY(area(halved), 6.0, 1e-14);
 }
 
-// Integrals of second-order shape functions over a unit square and half of it are known: vertices of six- and eight-node sides have none,
-// or negative ones, and still a normal.
+// Integrals of second-order shape functions over a unit square and half of it are known: vertices of six- and eight-node sides have zero or
+// negative ones, and still a normal.
 TEUCHOS_UNIT_TEST(Surface, HasTributaryAreasOfSecondOrderSides) {
   struct Kind {
     std::vector<SideNodes> linear;
@@ -220,7 +221,7 @@ TEUCHOS_UNIT_TEST(Surface, FindsRimsPartsAndBranches) {
   const Surface opposite(3, corners(), {faces[1], faces[0]});
   TEST_EQUALITY(rimOf(opposite, out, success), 8);
   TEST_ASSERT(opposite.parts() == (std::vector<int>{1, 0}));
-  // Three sides at the edge 0-1; two that run along it in the same sense; a line whose pieces meet head to head.
+  // Three sides at the edge 0-1; two that traverse it in the same direction; a line whose pieces meet head to head.
   std::vector<Point> points = corners();
   points.push_back({0, -1, 0});
   points.push_back({1, -1, 0});

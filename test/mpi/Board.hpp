@@ -22,7 +22,7 @@ struct Entry {
 /// Exit code of a job that this library ends.
 constexpr int kExitCode = 97;
 
-/// What a rank does now.
+/// Current activity of a rank.
 struct RankState {
   std::atomic<std::uint64_t> steps;         ///< grows with each MPI call that begins or ends
   std::atomic<std::int32_t> functionIndex;  ///< in which blocking function it is, -1: in none

@@ -31,7 +31,7 @@ std::size_t bytesOf(int count, MPI_Datatype type) {
   return static_cast<std::size_t>(count) * static_cast<std::size_t>(size);
 }
 
-/// What a rooted function moves for each rank: the root may give it in place.
+/// Bytes per rank of a rooted function: the root may pass MPI_IN_PLACE.
 std::size_t bytesAt(int root, MPI_Comm comm, int rootCount, MPI_Datatype rootType, int count, MPI_Datatype type) {
   int rank = 0;
   PMPI_Comm_rank(comm, &rank);

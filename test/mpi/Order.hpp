@@ -7,9 +7,9 @@
 
 namespace mpiorder {
 
-/// The order of the collectives on a communicator. Each rank writes down each of its collectives before it begins: function, size, root,
-/// operation and calling place. Whoever comes later compares with what the others have written at the same number, and ends the job with
-/// both places if that differs. No messages: the ranks wait for each other as they do without this library.
+/// The order of the collectives on a communicator. Each rank records each of its collectives before it begins: function, size, root,
+/// operation and calling place. A rank that comes later compares its record with those of the others at the same number, and ends the job
+/// with both places if they differ. No messages: the ranks wait for each other as they do without this library.
 
 /// From now on the order on `comm` is checked; on one rank nothing is. Collective over it.
 void follow(MPI_Comm comm);

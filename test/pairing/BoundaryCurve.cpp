@@ -1,4 +1,4 @@
-// Curvature from the nodes of a line, against curves that are known.
+// Curvature from the nodes of a line, against known curves.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/pairing/mortar/BoundaryCurve.hpp>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace pairingtesting;
 
-/// A strip whose lower side, of so many elements, follows a curve of the parameter t from 0 to 1; the body is above.
+/// A strip whose lower side, of the given number of elements, follows a curve of the parameter t from 0 to 1; the body is above.
 Mesh strip(int elements, const std::function<Point(double)>& curve, Cell cell = Cell::Triangle3) {
   Box box;
   box.name = "strip";
@@ -26,7 +26,7 @@ Mesh strip(int elements, const std::function<Point(double)>& curve, Cell cell = 
 }
 const std::vector<Side>& lower(const Mesh& mesh) { return mesh.sideGroups.at("strip_bottom"); }
 
-/// Largest of f(point of the smooth line) over all sides and a few points of each.
+/// Largest f(point of the smooth line) over all sides and a few points of each.
 double largest(const Mesh& mesh, const std::function<double(Point)>& f) {
   const BoundaryCurve curve(Surface(mesh, lower(mesh)));
   double most = 0;
@@ -44,7 +44,7 @@ double largest(const Mesh& mesh, const std::function<double(Point)>& f) {
 }
 
 TEUCHOS_UNIT_TEST(BoundaryCurve, IsExactOnGradedArcs) {
-  // A body above a convex arc, and one above a concave one; spacings grow by a factor of ten.
+  // A body above a convex arc, and one above a concave arc; spacings grow by a factor of ten.
   for (const double sign : {1.0, -1.0}) {
     const auto arc = [&](double t) {
       const double angle = 1.2 * (t * t + 0.1 * t) / 1.1 - 0.6;
@@ -72,7 +72,7 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, IsZeroToTheLastBitOnStraightLines) {
   }
 }
 
-// A line of length 1, then an arc of radius 2; eight elements each, the joint a node.
+// A line of length 1, then an arc of radius 2; eight elements each, with a node at the joint.
 TEUCHOS_UNIT_TEST(BoundaryCurve, KeepsTheJointOfALineAndAnArc) {
   const auto curve = [](double t) {
     if (t <= 0.5) return Point{2 * t - 1, 0, 0};
@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, KeepsPolygonsOfTwoElementsASide) {
   TEST_COMPARE(largest(strip(12, polygon), away), <, 1e-15);
 }
 
-// One element cuts a corner: whether it is a chamfer or a fillet cannot be seen, which its doubt says. The lines are lines.
+// One element cuts a corner: chamfer and fillet cannot be distinguished, as its uncertainty shows. The lines are lines.
 TEUCHOS_UNIT_TEST(BoundaryCurve, KeepsLinesBesideAChamfer) {
   const double turn = 0.6;
   const auto chamfer = [&](double t) {
@@ -175,7 +175,7 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, PassesAnInflection) {
   for (std::size_t i = 0; i + 1 < error.size(); ++i) TEST_COMPARE(std::log2(error[i] / error[i + 1]), >, 2.6);
 }
 
-// Noise in the coordinates shows as doubt: second differences of curvatures.
+// Noise in the coordinates shows as uncertainty: second differences of curvatures.
 TEUCHOS_UNIT_TEST(BoundaryCurve, DoubtsNoisyCoordinates) {
   const double noise = 1e-4;
   int k = 0;

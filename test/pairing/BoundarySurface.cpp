@@ -1,4 +1,4 @@
-// Smooth surfaces through the nodes of straight sides in space, against surfaces that are known.
+// Smooth surfaces through the nodes of straight-sided 3D meshes, against known surfaces.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/pairing/mortar/SmoothFace.hpp>
@@ -34,7 +34,7 @@ Sheet octant(int n) {
   return sheet;
 }
 
-/// The rectangle [0, nx] x [0, ny] of unit squares, or pairs of triangles by alternating diagonals, mapped.
+/// The rectangle [0, nx] x [0, ny] of unit squares, or of pairs of triangles with alternating diagonals, mapped.
 Sheet grid(int nx, int ny, bool triangles, const Map& map) {
   Sheet sheet;
   const auto at = [ny](int i, int j) { return i * (ny + 1) + j; };
@@ -53,7 +53,7 @@ Sheet grid(int nx, int ny, bool triangles, const Map& map) {
   return sheet;
 }
 
-/// Largest distances, by a function of the place, of the elements and of the smooth surface over them.
+/// Largest distances, by a function of place, of the elements and of the smooth surface over them.
 struct Largest {
   double facets = 0, smooth = 0;
 };
@@ -77,7 +77,8 @@ Largest largest(const Sheet& sheet, const std::function<double(Point)>& distance
 
 double fromSphere(const Point& p) { return norm(p) - 10; }
 
-/// A plane, by so many columns, that goes over into a cylinder of radius 10, by columns of .1 radians, after a turn.
+/// A plane of the given number of columns that continues, after a kink by the angle `turn`, as a cylinder of radius 10 in columns of .1
+/// radians.
 Map planeAndCylinder(int columns, double turn) {
   return [=](Point p) {
     if (p[0] <= columns) return Point{p[0] - columns, p[1], 0};
@@ -169,7 +170,7 @@ TEUCHOS_UNIT_TEST(BoundarySurface, KeepsAKinkBetweenCylinders) {
 }
 
 TEUCHOS_UNIT_TEST(BoundarySurface, EndsBetweenGroups) {
-  // A plane of one column beside a cylinder: its nodes alone do not tell it from a coarse cylinder.
+  // A plane of one column next to a cylinder: from the nodes alone it looks like a coarse cylinder.
   const Sheet sheet = grid(7, 4, false, planeAndCylinder(1, 0.0));
   std::vector<int> groups;
   for (const auto& nodes : sheet.sides) groups.push_back(sheet.points[nodes[0]][0] < -0.5 ? 0 : 1);
@@ -237,7 +238,7 @@ TEUCHOS_UNIT_TEST(FaceSampling, TakesTheGapBetweenConcentricSpheres) {
         TEST_COMPARE(doubt, >, 1e-2);
       } else {
         TEST_COMPARE(worst, <, 4e-4);
-        TEST_COMPARE(doubt, <, 1e-10);  // spheres leave none
+        TEST_COMPARE(doubt, <, 1e-10);  // no uncertainty on spheres
       }
       TEST_EQUALITY(paired.gapDoubts.size(), paired.pairs.size());
     }
@@ -245,7 +246,7 @@ TEUCHOS_UNIT_TEST(FaceSampling, TakesTheGapBetweenConcentricSpheres) {
 
 TEUCHOS_UNIT_TEST(FaceSampling, SharesTheCurvatureOfASphereOnAPlane) {
   // Pressed together both have half the curvature: the closed gap of a sphere of radius R before a plane at the height g is that of its
-  // elements, less (1/2) of the sphere's height over them, and the plane rises by as much of its own spread.
+  // elements, less half of the sphere's height over them, and the plane rises by half of its elements' spread.
   Mesh mesh = facing(Cell::Hexahedron8, 4, 3, Cell::Hexahedron8, 4, 3, 0.1);
   move(mesh, 1, [](Point p) {
     const double x = p[0] - 1, y = p[1] - 0.75;
@@ -257,7 +258,7 @@ TEUCHOS_UNIT_TEST(FaceSampling, SharesTheCurvatureOfASphereOnAPlane) {
     contact.coupling = Contact::Coupling::Mortar, contact.geometry = geometry, contact.carrier = Contact::Carrier::SideA;
     for (const ContactPair& pair : pairsOf(mesh, contact).pairs) gaps[geometry].push_back(pair.gap);
   }
-  // Of like bodies and like meshes the sphere's convex half and the plane's concave half cancel: the gap is that of the facets.
+  // For equal bodies and meshes the sphere's convex half and the plane's concave half cancel: the gap is that of the facets.
   for (std::size_t i = 0; i < gaps[Contact::Geometry::Facets].size(); ++i) {
     const double facet = gaps[Contact::Geometry::Facets][i], smooth = gaps[Contact::Geometry::Smooth][i];
     TEST_COMPARE(facet - smooth, >, 2e-3);

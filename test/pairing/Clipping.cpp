@@ -1,4 +1,4 @@
-// Common parts of polygons, and quadrature over triangles, against closed forms.
+// Intersections of polygons, and quadrature over triangles, against closed forms.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 #include <random>
@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(Clipping, HasNothingInCommonAcrossASharedEdgeWhateverRoundingS
   TEST_ASSERT(commonPart({{3, 3}, {4, 3}, {4, 4}}, square, 1e-12).empty());
 }
 
-// Pieces of a polygon by the parts of the plane add up to it.
+// The pieces of a polygon cut along lines add up to it.
 TEUCHOS_UNIT_TEST(Clipping, DividesAPolygonAmongTheCellsOfAGrid) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> some(0, 1);

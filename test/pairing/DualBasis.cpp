@@ -1,4 +1,4 @@
-// Biorthogonal functions against those that are known in closed form.
+// Biorthogonal functions against known closed forms.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Matrices.hpp>
 #include <suture/mesh/SideShape.hpp>
@@ -27,7 +27,7 @@ Part part(int nodes, double begin, double end, int points = 4) {
   return result;
 }
 
-/// The psi as combinations of shape functions, one a row.
+/// The psi as combinations of shape functions, one per row.
 Matrix coefficients(const DualBasis& basis, int functions) {
   Matrix all(functions, functions);
   for (int k = 0; k < functions; ++k) all.col(k) = basis.at(Vector::Unit(functions, k));
@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(DualBasis, HasTheKnownFunctionsOfTrianglesAndQuadrilaterals) {
                <, 1e-13);
 }
 
-// int psi_j chi_k = delta_jk int chi_k over the part alone, by a quadrature of its own; the psi add up to one.
+// int psi_j chi_k = delta_jk int chi_k over the part alone, by an independent quadrature; the psi add up to one.
 TEUCHOS_UNIT_TEST(DualBasis, IsBiorthogonalOverAPartOfASide) {
   for (const int nodes : {2, 3})
     for (const double end : {-0.9, -0.2, 0.4}) {

@@ -1,4 +1,4 @@
-// Nodes that stand opposite to each other, on surfaces whose partners are known.
+// Nodes that face each other, on surfaces whose partners are known.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/pairing/FacingNodes.hpp>
@@ -18,7 +18,7 @@ struct Sides {
   Surface surface(int dimension) const { return {dimension, points, nodes}; }
 };
 
-/// The same sides with other numbers, in another order, each beginning at another vertex where it may (in space).
+/// The same sides with other numbers, in another order; in 3D each may begin at another vertex.
 Sides shuffled(const Sides& sides, unsigned seed, int vertices = 0) {
   std::mt19937 engine(seed);
   std::vector<int> number(sides.points.size());
@@ -35,7 +35,7 @@ Sides shuffled(const Sides& sides, unsigned seed, int vertices = 0) {
   return result;
 }
 
-/// The sides seen from behind, moved.
+/// The sides seen from behind, shifted.
 Sides facing(Sides sides, int vertices, const Point& by) {
   for (Point& point : sides.points) point = plus(point, by);
   for (std::vector<int>& side : sides.nodes) {
@@ -46,7 +46,7 @@ Sides facing(Sides sides, int vertices, const Point& by) {
   return sides;
 }
 
-/// nx x ny quadrilaterals of size one in the plane z = 0, of four, eight or nine nodes.
+/// nx x ny quadrilaterals of size one on z = 0, of four, eight or nine nodes.
 Sides grid(int nx, int ny, int order) {
   const int step = order == 4 ? 1 : 2, width = step * nx + 1;
   Sides sides;
@@ -74,7 +74,7 @@ Sides circle(int n, double radius, double from, bool outwards) {
   return sides;
 }
 
-/// Largest distance of partners from where they should be.
+/// Largest distance of partners from their expected places.
 double farthest(const Surface& a, const Surface& b, const std::optional<FacingNodes::Partners>& partners,
                 const std::function<Point(Point)>& expected) {
   if (!partners || partners->size() != a.nodes().size()) return 1e300;

@@ -1,4 +1,4 @@
-// Mortar pairs of faces in space: forces and gaps that are exact on flat faces, of any two meshes.
+// 3D mortar pairs: forces and gaps that are exact on flat faces, for any two meshes.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/SideGeometry.hpp>
@@ -22,7 +22,7 @@ Contact mortar(Contact::Carrier carrier = Contact::Carrier::Automatic) {
   return contact;
 }
 
-/// Nodal forces of a uniform pressure of one: of all pairs, along their normals.
+/// Nodal forces of a unit pressure: of all pairs, along their normals.
 std::map<int, double> forces(const PairedSurface& paired) {
   std::map<int, double> force;
   for (const ContactPair& pair : paired.pairs)
@@ -101,7 +101,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, PassesAConstantPressureOnBetweenAnyTwoMeshes) {
       }
 }
 
-// Conditions are means of the gap: one that is linear in the place is the same at the mean places of both sides.
+// Conditions are means of the gap: a linear function has the same value at the mean places of both sides.
 TEUCHOS_UNIT_TEST(MortarInSpace, TakesTheSameMeanOfALinearFunctionOnBothSides) {
   const auto f = [](const Point& p) { return 0.3 - 0.7 * p[0] + 1.1 * p[1]; };
   for (const Cell lower : all)
@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, TurnsWithTheBodies) {
   }
 }
 
-// A row's force on both sides has one line: on curved faces, and across a gap.
+// The forces of a row on both sides have the same line of action: on curved faces, and across a gap.
 TEUCHOS_UNIT_TEST(MortarInSpace, BalancesTheMomentsOfEachPair) {
   for (const Cell lower : all)
     for (const Cell upper : {Cell::Hexahedron8, Cell::Tetrahedron10}) {
@@ -196,7 +196,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, CoversThePartThatBothFacesShare) {
       }
 }
 
-// Sides of six and eight nodes choose it by themselves; all of its conditions have a force of the sense of the pressure.
+// Sides of six and eight nodes choose the mortar automatically; all its conditions have forces in the direction of the pressure.
 TEUCHOS_UNIT_TEST(MortarInSpace, IsChosenWhereNodesCannotCarryThePressure) {
   for (const Cell cell : all) {
     const bool second = cell == Cell::Tetrahedron10 || cell == Cell::Hexahedron20;
@@ -217,8 +217,8 @@ TEUCHOS_UNIT_TEST(MortarInSpace, IsChosenWhereNodesCannotCarryThePressure) {
   }
 }
 
-// The condition of a vertex has one node of the carrying face, that of a middle node the two vertices beside it, too: one after the other
-// they can be solved for their own node.
+// The condition of a vertex has one node of the carrying face; that of a middle node also has the two adjacent vertices: in this order each
+// can be solved for its node.
 TEUCHOS_UNIT_TEST(MortarInSpace, HasConditionsThatCanBeSolvedOneAfterTheOther) {
   for (const Cell cell : all) {
     const Mesh mesh = facing(cell, 3, 2, Cell::Hexahedron8, 4, 3, 0.0);
@@ -242,7 +242,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, HasConditionsThatCanBeSolvedOneAfterTheOther) {
   }
 }
 
-// By the choice of the scene second-order sides carry linear functions, one a vertex.
+// If the scene chooses it, second-order sides carry linear functions, one per vertex.
 TEUCHOS_UNIT_TEST(MortarInSpace, PassesAConstantPressureWithLinearMultipliers) {
   for (const Cell lower : {Cell::Tetrahedron10, Cell::Hexahedron20, Cell::Hexahedron27})
     for (const Cell upper : all) {
@@ -263,7 +263,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, PassesAConstantPressureWithLinearMultipliers) {
     }
 }
 
-// Matching meshes of first order: a row of the mortar has one node on each side, as matching nodes have.
+// Matching first-order meshes: a mortar row has one node on each side, like matching nodes.
 TEUCHOS_UNIT_TEST(MortarInSpace, IsNodeToNodeOnMatchingMeshes) {
   for (const Cell cell : {Cell::Hexahedron8, Cell::Tetrahedron4}) {
     const Mesh mesh = facing(cell, 3, 2, cell, 3, 2, 0.0);
@@ -276,7 +276,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, IsNodeToNodeOnMatchingMeshes) {
   }
 }
 
-// Element-wise quadrature is wrong by 1e-3 here; quadrilaterals of any shape are integrated to 1e-8.
+// Element-wise quadrature has an error of 1e-3 here; quadrilaterals of any shape are integrated to 1e-8.
 TEUCHOS_UNIT_TEST(MortarInSpace, IntegratesDistortedSidesClosely) {
   const Cell pairs[][2] = {
       {Cell::Hexahedron8, Cell::Hexahedron8}, {Cell::Hexahedron20, Cell::Tetrahedron10}, {Cell::Hexahedron27, Cell::Hexahedron8}};
@@ -291,7 +291,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, IntegratesDistortedSidesClosely) {
   }
 }
 
-// Caps of one sphere: what is left of the gap is the error of the shape of the elements, of their order.
+// Caps of one sphere: the remaining gap is the geometry error of the elements, of their order.
 TEUCHOS_UNIT_TEST(MortarInSpace, FindsTheGapOfCurvedFacesToTheOrderOfTheElements) {
   const auto mean = [](Cell cell, int n) {
     Mesh mesh = facing(cell, 3 * n, 2 * n, cell, 2 * n, 3 * n, 0.0);
@@ -344,7 +344,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, TakesTheNearerOfTwoSheets) {
   TEST_FLOATING_EQUALITY(area, 1.0, 1e-12);
 }
 
-// Faces on both ends of both boxes: only those between the boxes meet, whatever lies behind a box is on its far end.
+// Faces on both ends of both boxes: only those between the boxes meet, since everything behind a box is at its far end.
 TEUCHOS_UNIT_TEST(MortarInSpace, DoesNotPairFarEndsThroughTheBodies) {
   for (const double gap : {0.125, 0.0, -0.125})
     for (const Contact::Carrier carrier : {Contact::Carrier::SideA, Contact::Carrier::SideB})

@@ -1,4 +1,4 @@
-// Rigid obstacles before a face in space: distances and normals against closed forms.
+// Rigid obstacles in 3D: distances and normals against closed forms.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/CheckSays.hpp>
 #include <suture/base/Point.hpp>
@@ -28,7 +28,7 @@ Mesh cube(Cell cell = Cell::Hexahedron8, int n = 4) {
 
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-/// Reads a contact of the face below with an obstacle. \param more  of the contact itself
+/// Reads a contact of the face below with an obstacle. \param more  parameters of the contact
 std::vector<ContactSurface> read(const Mesh& mesh, const std::string& type, const Entries& own, Problems& problems,
                                  const Entries& more = {}) {
   Schema schema("scene");
@@ -127,7 +127,7 @@ TEUCHOS_UNIT_TEST(ObstaclesInSpace, LineariseTheConditionOnAGraph) {
   }
 }
 
-// Along the normal of the face: the way of a ray.
+// Along the normal of the face: distance along a ray.
 TEUCHOS_UNIT_TEST(ObstaclesInSpace, AreSeenAlongTheNormalOfTheFaceWhereTheSceneSaysSo) {
   const Mesh mesh = cube();
   const Entries side{{"Direction", "Side"}};
@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(ObstaclesInSpace, AreSeenAlongTheNormalOfTheFaceWhereTheSceneS
   check("Height", {{"Expression", "0.1*x - 0.2*y - 1"}}, [](Point p) { return 1 - 0.1 * p[0] + 0.2 * p[1]; });
 }
 
-// Sides of six and eight nodes: conditions whose forces are those of a uniform pressure, and mean gaps.
+// Sides of six and eight nodes: conditions with the forces of a uniform pressure, and mean gaps.
 TEUCHOS_UNIT_TEST(ObstaclesInSpace, TakeTheDualMeanOfTheGapOfSecondOrderSides) {
   for (const Cell cell : {Cell::Tetrahedron10, Cell::Hexahedron20}) {
     const Mesh mesh = cube(cell);

@@ -1,4 +1,4 @@
-// The search for opposite sides against a look at all of them, and its cost.
+// The search for opposite sides against a check of all of them, and its cost.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/SideShape.hpp>
@@ -38,12 +38,12 @@ class Scatter {
   std::mt19937 engine_;
 };
 
-/// Volume of the box that a, b and c span, with its sign.
+/// Signed volume of the box spanned by a, b and c.
 double volume(const Point& a, const Point& b, const Point& c) { return dot(a, cross(b, c)); }
 
 bool has(const std::vector<int>& found, int i) { return std::binary_search(found.begin(), found.end(), i); }
 
-/// A line of so many sides between two points, a little wavy.
+/// A slightly wavy line of the given number of sides between two points.
 std::vector<SidePoints> line(int sides, double height) {
   std::vector<SidePoints> all;
   const auto at = [&](int i) {
@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(PairSearch, FindsSidesThatATouchOfTheLineEnds) {
   TEST_EQUALITY(search.along({{1.4, 0, 0}, {1.6, 0, 0}, {1.99, 0, 0}}, {0, 1, 0}).size(), 2u);
 }
 
-// n sides opposite to n: box tests grow like n log n. Far from the origin, too, and along a line that is not along an axis.
+// n sides opposite to n: box tests grow like n log n. Also far from the origin, and along a line that is not parallel to an axis.
 TEUCHOS_UNIT_TEST(PairSearch, LooksAtBoxesInProportionToNLogN) {
   double perSide = 0;
   for (const int n : {1000, 10000, 100000}) {

@@ -1,4 +1,4 @@
-// Faces of contacts and matching pairs in space, against numbers by hand and against turned meshes.
+// 3D contact faces and matching pairs, against numbers computed by hand and against rotated meshes.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/CheckSays.hpp>
 #include <suture/base/Point.hpp>
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, MeasureGapNormalAndAreaOfFacingBoxes) {
     TEST_EQUALITY(paired.cells.size(), cells);
     for (const std::vector<int>& own : paired.cells) {
       TEST_EQUALITY(own.size(), corners);
-      // Seen from outside of side A they run counter-clockwise.
+      // Seen from outside side A they are counter-clockwise.
       const Point turn = cross(minus(paired.pairs[own[1]].position, paired.pairs[own[0]].position),
                                minus(paired.pairs[own[2]].position, paired.pairs[own[0]].position));
       TEST_COMPARE(turn[2], >, 0.0);
@@ -109,12 +109,12 @@ TEUCHOS_UNIT_TEST(PairsInSpace, TurnWithTheBodies) {
   const Turned turn({1, 2, -0.5}, 0.9);
   for (const Cell cell : {Cell::Hexahedron8, Cell::Tetrahedron4, Cell::Hexahedron27}) {
     Mesh mesh = facing(cell, 3, 2, cell, 3, 2, 0.125), turned = mesh;
-    // Waves on both faces: the gap changes from place to place, the normals turn.
+    // Waves on both faces: the gap varies, and the normals turn.
     const auto wave = [](Point p) -> Point { return {p[0], p[1], p[2] + 0.03 * std::sin(2 * p[0] + 0.3) * std::cos(1.5 * p[1])}; };
     moveAll(mesh, wave);
     moveAll(turned, [&](Point p) { return turn(wave(p)); });
     Contact contact = matching();
-    contact.tolerance = 0.1;  // partners stand above each other, and not along their normals
+    contact.tolerance = 0.1;  // partners are above each other, and not along their normals
     const PairedSurface before = pairsOf(mesh, contact), after = pairsOf(turned, contact);
     TEST_EQUALITY(before.pairs.size(), after.pairs.size());
     for (std::size_t i = 0; i < before.pairs.size(); ++i) {
@@ -129,7 +129,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, TurnWithTheBodies) {
   }
 }
 
-// Concentric caps: partners stand on one ray, whatever the gap.
+// Concentric caps: partners lie on one ray for any gap.
 TEUCHOS_UNIT_TEST(PairsInSpace, PairSpheresAlongTheirRays) {
   for (const Cell cell : {Cell::Hexahedron8, Cell::Tetrahedron4, Cell::Hexahedron27}) {
     Mesh mesh = facing(cell, 4, 4, cell, 4, 4, 0.25);
@@ -181,7 +181,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, WantFacesThatAreSurfacesWithoutSharpEdges) {
   Contact both = matching();
   both.groupsA = {"lower_right", "upper_right"}, both.groupsB = {"lower_left"};
   SUTURE_CHECK_SAYS(saidOf(orders, both), "'lower_right' + 'upper_right' has first-order and second-order sides");
-  // Two of four cubes about an edge, one body: four of its sides meet there.
+  // Two of four cubes around an edge, one body: four of its sides meet there.
   Mesh chess;
   chess.dimension = 3;
   for (int k = 0; k < 2; ++k)

@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(Segmentation, DividesSidesWhereThoseOppositeBegin) {
   const Mesh mesh = twoBoxes(0.25, 3.25, 4, 2);
   const std::vector<MortarSegment> lower = fromLeft(mesh, "lower_top"), upper = fromLeft(mesh, "upper_bottom");
   const Segmentation segmentation(upper);
-  // x of where each overlap begins and ends, and the upper side; the lower line runs to the left.
+  // x of the begin and end of each overlap, and the upper side; the lower line runs to the left.
   const std::vector<std::vector<std::array<double, 3>>> expected{{{1, 0.25, 0}}, {{2, 1.75, 1}, {1.75, 1, 0}}, {{3, 2, 1}}, {{3.25, 3, 1}}};
   for (int s = 0; s < 4; ++s) {
     const auto found = segmentation.overlaps(lower[s], {0, 1, 0});
@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(Segmentation, MeetsTheNearestSideFaceToFaceOnly) {
   TEST_FLOATING_EQUALITY(met->gap, 0.25, 1e-14);
   TEST_FLOATING_EQUALITY(met->other->at(met->eta)[0], 0.5, 1e-14);
   TEST_ASSERT(!segmentation.nearest({5, 1, 0}, {0, 1, 0}, 0));
-  // The upper side looks the other way: it meets a point inside its body, but none below it, behind the body's own lower side.
+  // The upper side faces the other way: it meets a point inside its body, but none below it, behind the body's own lower side.
   const auto behind = segmentation.nearest({0.5, 1.5, 0}, {0, -1, 0}, 0);
   TEST_ASSERT(behind && behind->other == &upper[2]);
   TEST_FLOATING_EQUALITY(behind->gap, -0.5, 1e-14);

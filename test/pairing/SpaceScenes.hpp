@@ -4,7 +4,7 @@
 
 namespace pairingtesting {
 
-/// Boxes "lower" [0,2] x [0,1.5] x [-1,0] and "upper" [0,2] x [0,1.5] x [gap,1] of so many cells in x and y, two in z.
+/// Boxes "lower" [0,2] x [0,1.5] x [-1,0] and "upper" [0,2] x [0,1.5] x [gap,1] with the given number of cells in x and y, two in z.
 Mesh facing(Cell lower, int nx, int ny, Cell upper, int mx, int my, double gap);
 
 /// Turns about an axis through the origin.
@@ -17,7 +17,7 @@ class Turned {
   Matrix by_;
 };
 
-/// The pairs of a contact. \throws InputError  what is wrong with it
+/// The pairs of a contact. \throws InputError  with its errors
 PairedSurface pairsOf(const Mesh& mesh, const Contact& contact, std::vector<std::string>* notes = nullptr);
 
 }  // namespace pairingtesting

@@ -20,7 +20,7 @@ Mesh brick(Cell cell, int nx, int ny, int nz) {
   return partitiontesting::mesh({box});
 }
 
-/// Turned about an oblique axis: no plane of the mesh lies across a coordinate.
+/// Rotated about an oblique axis: no plane of the mesh is normal to a coordinate axis.
 void turn(Mesh& mesh) {
   const double c = std::cos(0.6), s = std::sin(0.6);
   for (std::size_t i = 0; i < mesh.coordinates.size(); i += 3) {
@@ -30,7 +30,7 @@ void turn(Mesh& mesh) {
   }
 }
 
-/// True if each part has all the elements of a box of the grid; they are numbered along x, then y, then z.
+/// True if each part consists of all elements of a box of the grid; they are numbered along x, then y, then z.
 bool areBricks(const std::vector<int>& partOf, int parts, int nx, int ny) {
   for (int part = 0; part < parts; ++part) {
     std::array<int, 3> low{1 << 20, 1 << 20, 1 << 20}, high{-1, -1, -1};
@@ -69,7 +69,7 @@ TEUCHOS_UNIT_TEST(BisectionInSpace, CutsTetrahedraAsWellAsMetisDoes) {
   const Mesh mesh = brick(Cell::Tetrahedron4, 10, 10, 5);
   const ElementGraph graph = elementGraph(mesh);
   ElementGraph plain = graph;
-  plain.centres.clear();  // as in the plane
+  plain.centres.clear();  // as in 2D
   const auto sides = [&](const std::vector<int>& partOf) {
     int cut = 0;
     for (int e = 0; e < graph.elements(); ++e)
@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(BisectionInSpace, CutsTetrahedraAsWellAsMetisDoes) {
   };
   for (const int parts : {8, 20}) {
     const std::vector<int> partOf = metisCut(graph, parts, 1);
-    // METIS' k-way method refines all parts at once, which halving cannot.
+    // METIS' k-way method refines all parts at once, which bisection cannot.
     TEST_COMPARE(sides(partOf), <, 1.2 * sides(metisCut(plain, parts, 1)));
     TEST_EQUALITY(components(graph, partOf).count(), parts);
   }

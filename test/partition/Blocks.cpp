@@ -1,4 +1,4 @@
-// Blocks: how many, how large, in one piece, with short borders.
+// Blocks: their number, size, connectedness, and short borders.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <numeric>
@@ -82,7 +82,7 @@ TEUCHOS_UNIT_TEST(Blocks, AreInOnePiece) {
   }
 }
 
-// METIS' own cut of single elements is the measure.
+// Compared with METIS' own cut of single elements.
 TEUCHOS_UNIT_TEST(Blocks, HaveShortBorders) {
   const Mesh mesh = partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 1, 120, 120)});
   const ElementGraph graph = elementGraph(mesh);

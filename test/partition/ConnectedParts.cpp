@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(ConnectedParts, GivesAFragmentToTheNeighbourWithMostCommonSide
 }
 
 TEUCHOS_UNIT_TEST(ConnectedParts, SettlesFragmentsThatTouchOnlyFragments) {
-  // A row: of the three fragments at its end only the one next to the middle touches a part that stays.
+  // A row: of the three fragments at its end only the one next to the middle touches a remaining part.
   const ElementGraph graph = grid(9, 1);
   std::vector<int> right{0, 0, 0, 1, 1, 1, 0, 1, 0}, left{0, 1, 0, 1, 1, 1, 0, 0, 0};
   const int onTheRight = makeConnected(graph, 2, right), onTheLeft = makeConnected(graph, 2, left);

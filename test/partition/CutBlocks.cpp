@@ -1,4 +1,4 @@
-// Blocks cut by METIS on other ranks than their own: who cuts which, and that nothing depends on it.
+// Blocks cut by METIS on other ranks than their own: the assignment, and results independent of it.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <suture/mesh/Generators.hpp>
@@ -43,7 +43,7 @@ TEUCHOS_UNIT_TEST(CutBlocks, GoToRanksThatHaveLess) {
     TEST_COMPARE(*std::max_element(load.begin(), load.end()), <=, 1200.0 / ranks + 100);
     TEST_COMPARE(*std::min_element(load.begin(), load.end()), >, 0.0);
   }
-  // A small body beside a large one.
+  // A small body next to a large one.
   std::vector<Block> blocks = ownedBy({0, 1, 1, 1, 1, 1, 1, 1});
   const std::vector<int> elements(8, 100);
   placeBlocks(elements, 2, blocks);

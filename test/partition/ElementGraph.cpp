@@ -11,7 +11,7 @@ using namespace suture;
 
 namespace {
 
-// Two boxes that do not touch, elements in an order that has nothing to do with their places.
+// Two boxes that do not touch, their elements numbered at random.
 Mesh shuffled(Cell cell) {
   Box one, two;
   one.name = "one";

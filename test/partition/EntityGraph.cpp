@@ -1,4 +1,4 @@
-// Entities of graphs made by hand, in the plane and in space.
+// Entities of graphs made by hand, in 2D and 3D.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <functional>
@@ -19,7 +19,8 @@ const SeamEntity& entityAt(const std::vector<SeamEntity>& all, GlobalId node) {
                        [node](const SeamEntity& e) { return std::find(e.nodes.begin(), e.nodes.end(), node) != e.nodes.end(); });
 }
 
-/// n^3 bricks on a lattice of n * step cells an edge (step 2: with middle nodes), a subdomain of each by its centre, 0 <= x, y, z < n.
+/// n^3 bricks on a lattice of n * step cells per edge (step 2: with middle nodes); each brick gets its subdomain by its centre, 0 <= x, y,
+/// z < n.
 struct Cube {
   int n, step;
   int side() const { return n * step + 1; }
@@ -74,7 +75,7 @@ TEUCHOS_UNIT_TEST(EntityGraph, FindsTwelveFacesSixEdgesAndAVertexInACubeCutInEig
       TEST_EQUALITY(countOf(all, EntityKind::Face), 12);
       TEST_EQUALITY(countOf(all, EntityKind::Edge), 6);
       TEST_EQUALITY(countOf(all, EntityKind::Vertex), 1);
-      const std::size_t half = std::size_t(n * step) / 2;  // nodes of a half axis beside the centre
+      const std::size_t half = std::size_t(n * step) / 2;  // nodes of a half axis next to the centre
       for (const SeamEntity& entity : all) {
         const bool face = entity.kind == EntityKind::Face, edge = entity.kind == EntityKind::Edge;
         TEST_EQUALITY(entity.sharers.size(), face ? 2u : edge ? 4u : 8u);
@@ -101,7 +102,7 @@ TEUCHOS_UNIT_TEST(EntityGraph, TakesWhatTwoShareAroundAColumnForOneFace) {
   TEST_EQUALITY(all[0].boundary.size(), 0u);
 }
 
-// Three slabs, the middle one cut in two: an edge that three share bounds three faces on either side of the cut; the slabs do not meet.
+// Three slabs, the middle one cut in two: an edge shared by three bounds three faces on either side of the cut; the slabs do not meet.
 TEUCHOS_UNIT_TEST(EntityGraph, FindsEdgesThatThreeShare) {
   const Cube cube{6, 1};
   const auto all = cube.graph([](int x, int, int z) { return z < 2 ? 0 : z >= 4 ? 3 : x < 3 ? 1 : 2; }).entities();
@@ -120,7 +121,7 @@ TEUCHOS_UNIT_TEST(EntityGraph, FindsEdgesThatThreeShare) {
   }
 }
 
-// Two opposite octants and the rest: they touch each other in the centre only, which all three share.
+// Two opposite octants and the rest: the octants touch only in the centre, which all three share.
 TEUCHOS_UNIT_TEST(EntityGraph, TakesAPointWhereFacesTouchForAVertex) {
   const Cube cube{2, 2};
   const auto all = cube.graph([&](int x, int y, int z) {
@@ -151,7 +152,7 @@ TEUCHOS_UNIT_TEST(EntityGraph, OrdersAnEdgeFromItsLowerEnd) {
   }
 }
 
-// Two points that three subdomains share, joined by a side of two of them: vertices, not an edge of three.
+// Two points shared by three subdomains, joined by a side of two of them: vertices, not an edge of three.
 TEUCHOS_UNIT_TEST(EntityGraph, DoesNotJoinPointsOfThreeByASideOfTwo) {
   EntityGraph graph;
   for (const GlobalId node : {1, 2}) graph.addNode(node, {0, 1, 2});
@@ -175,7 +176,7 @@ TEUCHOS_UNIT_TEST(EntityGraph, KeepsSingleNodesApartAndEndsEdgesThere) {
   }
 }
 
-// Coarse unknowns of clusters: those that pairs of local problems share hang together, without an order.
+// Coarse unknowns of clusters: those that pairs of local problems share are connected, without an order.
 TEUCHOS_UNIT_TEST(EntityGraph, JoinsSetsThatOverlap) {
   EntityGraph graph;
   for (const GlobalId node : {1, 2, 3, 4, 5, 8, 9}) graph.addNode(node, node == 5 ? std::vector<int>{0, 1, 2} : std::vector<int>{0, 1});

@@ -12,7 +12,7 @@ namespace partitiontesting {
 
 using namespace suture;
 
-/// An entity, its boundary as nodes of the vertices.
+/// An entity; its boundary as nodes of the vertices.
 inline void put(const SeamEntity& entity, const std::vector<SeamEntity>& among, Packer& packer) {
   std::vector<GlobalId> boundary;
   for (const int vertex : entity.boundary) boundary.push_back(among[vertex].nodes[0]);
@@ -32,12 +32,12 @@ inline SeamEntity read(Unpacker& unpacker) {
   return entity;
 }
 
-/// A mesh, its subdomains (number of each element's, on rank 0), and what findSeams() makes of them.
+/// A mesh, its subdomains (number of each element's, on rank 0), and the result of findSeams().
 struct Found {
   Mesh whole;
   std::vector<SubdomainMesh> mine;
   std::vector<SeamEntity> here;  // entities of this rank
-  std::vector<SeamEntity> all;   // entities of all ranks, each once, in the order of the first that knows it
+  std::vector<SeamEntity> all;   // entities of all ranks, each once, in the order of the first rank that knows it
 
   Found(const Mesh& given, const std::vector<int>& subdomainOfElement, int subdomains) : whole(given) {
     Partition partition;

@@ -1,4 +1,4 @@
-// Shares against the mesh that they were made from, and what is cut out of them against what one rank cuts alone.
+// Shares against the mesh that they were made from, and their subdomains against those that one rank cuts alone.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <random>
 #include <set>
@@ -15,7 +15,7 @@ using namespace partitiontesting;
 
 namespace {
 
-// Elements of several bodies in turn, so that no share is a range of numbers; some of them have a region.
+// Elements of several bodies alternate, so that no share is a range of numbers; some of them have a region.
 Mesh mixed() {
   Mesh made = mesh({box("low", 0, 4, 0, 1, 24, 6), box("mid", 0, 4, 1, 2, 24, 5), box("top", 0, 4, 2, 3, 24, 4)});
   if (!onRoot()) return made;
@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(MeshShare, CarriesSubdomainsThereAndBack) {
   }
 }
 
-// The bytes of every subdomain are those of rank 0 alone, on whatever rank it was cut and lives.
+// The bytes of every subdomain equal those made by rank 0 alone, on any rank that cuts or owns it.
 TEUCHOS_UNIT_TEST(MeshShare, GivesTheSubdomainsThatOneRankAloneCuts) {
   const Mesh root = mixed();
   Constraints constraints;

@@ -53,7 +53,7 @@ TEUCHOS_UNIT_TEST(MetisCut, WorksForOnePartAndForOneElementAPart) {
   }
 }
 
-// The answer of METIS alone to the same question shows that there is something to repair.
+// The result of METIS alone for the same graph shows that a repair is needed.
 TEUCHOS_UNIT_TEST(MetisCut, CountsTheFragmentsThatMetisLeaves) {
   const Mesh comb = partitiontesting::kept(partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 1, 32, 32)}),
                                            [](double x, double y) { return y < 1.0 / 16 || static_cast<int>(32 * x) % 2 == 0; });

@@ -122,7 +122,7 @@ TEUCHOS_UNIT_TEST(Partition, IsKnownToAllRanks) {
 }
 
 TEUCHOS_UNIT_TEST(Partition, MakesOneGroupOfPiecesThatShareASubdomain) {
-  // One subdomain a body: the middle one touches both pieces, so that all three make one group.
+  // One subdomain per body: the middle one touches both pieces, so that all three form one group.
   const Mesh grid = mesh(stack());
   const Partition all = makePartition(*comm(), grid, contacts(grid), metis(3).list());
   TEST_EQUALITY(all.groups.size(), 1u);
@@ -194,7 +194,7 @@ TEUCHOS_UNIT_TEST(Partition, RefusesWrongNamedGroups) {
   TEST_ASSERT(says(problemsOf(grid, named("*")), path, "in both 'a' and 'subdomain_a_0_0'"));
 
   if (onRoot()) {
-    // Blocks at opposite corners of a touch in a point only; w lies in both bodies.
+    // Blocks at opposite corners of a touch in one point only; w is in both bodies.
     const auto& groups = grid.elementGroups;
     std::vector<int> diagonal = groups.at("subdomain_a_0_0"), rest = groups.at("subdomain_a_1_0"), both = groups.at("b");
     diagonal.insert(diagonal.end(), groups.at("subdomain_a_1_1").begin(), groups.at("subdomain_a_1_1").end());
@@ -216,7 +216,7 @@ TEUCHOS_UNIT_TEST(Partition, RefusesWrongNamedGroups) {
 }
 
 TEUCHOS_UNIT_TEST(Partition, RefusesABodyThatHangsTogetherInSingleNodes) {
-  // Two blocks of a body that meet in the point (0.5, 0.5): cut by METIS or by name, it would turn there.
+  // Two blocks of a body that meet in the point (0.5, 0.5), cut by METIS or by name: the body would rotate about it.
   const Mesh grid = kept(mesh({box("a", 0, 1, 0, 1, 8, 8, 2, 2)}), [](double x, double y) { return (x < 0.5) == (y < 0.5); });
   for (const PartitionParameters& own : {metis(2), metis(6), named("subdomain_*")}) {
     const std::vector<Problem> problems = problemsOf(grid, own);

@@ -31,7 +31,7 @@ struct Written {
     partition = makePartition(*comm(), whole, constraints, metis(7).list(), false);
     writeHdf5Mesh(*comm(), whole, path, [&](Hdf5File& file) { addPartition(file, whole, constraints, partition, madeFor, "remarks"); });
   }
-  /// Changes a letter in the name of a body's first subdomain, wherever it stands.
+  /// Changes a letter in the name of a body's first subdomain, wherever it occurs in the file.
   void damage() const {
     if (onRoot()) {
       std::ifstream in(path, std::ios::binary);
@@ -58,19 +58,19 @@ std::string bytesOf(const SubdomainMesh& part) {
   return packer.bytes();
 }
 
-/// Bytes of an object in a message. \param before  what its memory held before it was made there
+/// Bytes of an object in a message. \param before  content of its memory before construction
 template <typename T>
 std::string packedOver(unsigned char before) {
   alignas(T) unsigned char memory[sizeof(T)];
   std::fill(std::begin(memory), std::end(memory), before);
-  const T* object = new (memory) T;  // not T(), which sets the bytes between members, too
+  const T* object = new (memory) T;  // not T(), which also sets the padding bytes
   Packer packer;
   packer.put(*object);
   object->~T();
   return packer.bytes();
 }
 
-// Files of the same cut are the same, byte by byte: what stands between the members of a struct is in none of them.
+// Files of the same cut are identical, byte by byte: padding of structs is in none of them.
 TEUCHOS_UNIT_TEST(PartitionFile, HoldsNoBytesThatNobodyHasSet) {
   TEST_EQUALITY(packedOver<NodeRule>(0x00), packedOver<NodeRule>(0xff));
   TEST_EQUALITY(packedOver<RuleValue>(0x00), packedOver<RuleValue>(0xff));
@@ -96,7 +96,7 @@ TEUCHOS_UNIT_TEST(PartitionFile, IsWhatDistributeSends) {
     TEST_EQUALITY(read.mine.size(), meshes.size());
     for (std::size_t i = 0; i < std::min(read.mine.size(), meshes.size()); ++i) TEST_ASSERT(bytesOf(read.mine[i]) == bytesOf(meshes[i]));
   }
-  // and the file is a mesh like any other
+  // and the file is an ordinary mesh, too
   const Mesh again = readHdf5Mesh(*comm(), scene.path);
   if (onRoot()) TEST_EQUALITY(again.hash(), scene.whole.hash());
 }

@@ -1,4 +1,4 @@
-// Rigid motions taken out of a scene: what remains, and that nothing is lost.
+// Rigid motions taken out of a scene: the remainder, and that nothing is lost.
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Gather.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace blocks;
 
-/// Two blocks in contact, the lower carried by its bottom, the upper by its top; a rule is given by `move` at its place.
+/// Two blocks in contact, the lower held at its bottom, the upper at its top; rules are prescribed by `move` at their place.
 Scene carried(const std::function<Point(const Point&)>& lower, const std::function<Point(const Point&)>& upper) {
   Scene scene = scenes::fromBoxes(twoBoxes(8, 4, 2, 2), 100.0, 0.3);
   scene.pairUp();
@@ -36,7 +36,7 @@ struct Taken {
       : scene(given), all(given, world()), left(given.constraints), any(takeOutRigidMotions(*world(), all.meshes)) {
     if (any) adopt(*world(), all.meshes, left);
   }
-  /// Component k of the motion at a node of the mesh; zero where no rank has it.
+  /// Component k of the motion at a node of the mesh; zero if no rank has it.
   double motion(int node, int k) const {
     double mine = 0.0, most = 0.0, least = 0.0;
     for (const SubdomainMesh& mesh : all.meshes)
@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(RigidMotionLifting, LeavesAStretchAlone) {
     for (const NodeRule& rule : mesh.rules) TEST_ASSERT(rule.value[1] == 0.0 || std::abs(rule.value[1]) == 0.1);
 }
 
-/// Numbers that have no short binary form: what remains of them is the same at all nodes, to the last bit, and nearly nothing.
+/// Numbers without a short binary form: their remainder is the same at all nodes, to the last bit, and nearly zero.
 TEUCHOS_UNIT_TEST(RigidMotionLifting, LeavesEqualRemaindersOfATranslation) {
   for (const Point& value : {Point{1e6 / 3, -0.1, 0}, Point{0.3, 0.1, 0}, Point{-1e-7, 1e13 / 7, 0}}) {
     const auto shift = [&](const Point&) { return value; };
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(RigidMotionLifting, LeavesEqualRemaindersOfATranslation) {
         TEST_EQUALITY(rule.value[k], first.value[k]);
         TEST_COMPARE(std::abs(rule.value[k]), <, 1e-13 * size);
       }
-    // Bodies that move alike change no gap.
+    // Bodies that move together change no gap.
     for (const ContactPair& pair : taken.left.pairs) TEST_EQUALITY(pair.gap, taken.scene.constraints.pairs[pair.id].gap);
   }
 }
@@ -95,13 +95,13 @@ TEUCHOS_UNIT_TEST(RigidMotionLifting, MotionAndRemainderMakeUpWhatWasPrescribed)
         const double before = scene.ruleOf(rule.node).value[k], motion = taken.motion(rule.node, k);
         if (world()->getRank() > 0) continue;
         TEST_COMPARE(std::abs(motion + rule.value[k] - before), <=, 4e-16 * std::abs(before));
-        // The curve, which is no rigid motion, is all that remains: of 1e-4 here, or of the rounding of what was prescribed.
+        // Only the curve remains, since it is no rigid motion: 1e-4 here, or the round-off of the prescribed values.
         TEST_COMPARE(std::abs(rule.value[k]), <, 1.1e-4 + 1e-15 * turn);
       }
   }
 }
 
-/// gap - n.T_A + n.T_B, in closed form; a row's gap is that of the same scene put together anew.
+/// gap - n.T_A + n.T_B, in closed form; a row's gap is that of the same scene built anew.
 TEUCHOS_UNIT_TEST(RigidMotionLifting, GapsChangeByTheMotionOfBothSides) {
   const auto lower = [](const Point&) { return Point{0.25, 0.5, 0}; };
   const auto upper = [](const Point&) { return Point{-1.0, 1024.5, 0}; };
@@ -123,7 +123,7 @@ TEUCHOS_UNIT_TEST(RigidMotionLifting, GapsChangeByTheMotionOfBothSides) {
     }
 }
 
-/// Weights of a mortar sum to zero but for rounding, which 1e12 body sizes would make a gap of 1e-4.
+/// The weights of a mortar sum to zero up to round-off, which 1e12 body sizes would turn into a gap of 1e-4.
 TEUCHOS_UNIT_TEST(RigidMotionLifting, MortarGapsKeepTheirDigits) {
   const auto shift = [](const Point&) { return Point{0, 1e12, 0}; };
   Scene scene = carried(shift, shift);
@@ -138,7 +138,7 @@ TEUCHOS_UNIT_TEST(RigidMotionLifting, MortarGapsKeepTheirDigits) {
     for (const ContactPair& pair : taken.left.pairs) TEST_EQUALITY(pair.gap, scene.constraints.pairs[pair.id].gap);
 }
 
-/// A part that nothing holds is moved twice, by a turn, too: its gaps, its lift and what gaps were at first; the other part stays.
+/// A part that nothing holds is moved twice, also rotated: its gaps, its lift and its initial gaps; the other part stays.
 TEUCHOS_UNIT_TEST(RigidMotionLifting, FurtherMotionsAddUp) {
   Scene scene = carried(nowhere, nowhere);
   scene.constraints.rules.resize(scene.nodesOf("lower_bottom").size());

@@ -24,8 +24,7 @@ Box box(const std::string& name, double x0, double x1, double y0, double y1, int
 
 Mesh mesh(const std::vector<Box>& all);
 
-// Part of a mesh: the elements whose centres a predicate chooses, as one body; element groups come along, side groups
-// do not.
+// Part of a mesh: the elements whose centres satisfy a predicate, as one body; element groups are kept, side groups are not.
 template <typename Choice>
 Mesh kept(const Mesh& whole, const Choice& choice) {
   Mesh made;
@@ -62,7 +61,7 @@ PartitionParameters parameters(std::vector<std::string> settings);
 PartitionParameters metis(int subdomains, int seed = 1);
 PartitionParameters named(const std::string& pattern);
 
-// Pairs of the nodes of two side groups that lie in the same place, as one piece each. (The search for pairs belongs to constraints.)
+// Pairs of the nodes of two side groups at the same place, as one piece each. (The search for pairs belongs to constraints.)
 void addContact(const Mesh& mesh, const std::string& sideA, const std::string& sideB, Constraints& constraints);
 
 // Components of one subdomain by brute force: two elements are neighbours when they have two nodes in common.

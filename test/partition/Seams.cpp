@@ -197,10 +197,9 @@ TEUCHOS_UNIT_TEST(Seams, PutsEverySeamNodeIntoOneEntityAndObeysEuler) {
       for (const auto& [node, count] : times) TEST_EQUALITY(count, 1);
       for (const SubdomainMesh& part : seams.mine)
         for (int i = 0; i < part.nodes(); ++i) TEST_EQUALITY(times.count(part.globalNodes[i]), part.others(i).empty() ? 0u : 1u);
-      // Planar graph of the square cut up: vertices, ends + the boundary as a ring through those on it; faces are the (connected)
-      // subdomains. V - E + F = 1 + C (F without the outside, C connected components of the seams with the boundary). Every edge without
-      // nodes of its own is missing from the list, so they are counted from these points' neighbours: here, by linked points that are one
-      // side apart.
+      // Planar graph of the square cut up: vertices, ends and the boundary as a ring through those on it; faces are the (connected)
+      // subdomains. V - E + F = 1 + C (F without the outside, C connected components of the seams with the boundary). The list lacks edges
+      // without interior nodes, so edges are counted from the neighbours of these points: linked points that are one side apart.
       if (!onRoot()) continue;
       const auto edges = seams.of(EntityKind::Edge);
       const std::set<GlobalId> points = seams.points();
@@ -219,7 +218,7 @@ TEUCHOS_UNIT_TEST(Seams, PutsEverySeamNodeIntoOneEntityAndObeysEuler) {
       }
       const int bare = static_cast<int>(
           std::count_if(sideSubdomains.begin(), sideSubdomains.end(), [](const auto& side) { return side.second.size() == 2; }));
-      // Components by merging the ends of edges; the boundary joins all points on it, and each ring edge is a component of its own.
+      // Components by merging the ends of edges; the boundary joins all points on it, and each ring edge is a separate component.
       std::map<GlobalId, GlobalId> parent;
       const std::function<GlobalId(GlobalId)> root = [&](GlobalId node) {
         auto known = parent.emplace(node, node).first;

@@ -1,4 +1,4 @@
-// Vertices, edges and faces of subdomains in space, against a search through the whole mesh, on any number of ranks.
+// Vertices, edges and faces of 3D subdomains, against a search through the whole mesh, on any number of ranks.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/DisjointSets.hpp>
 #include <suture/base/Buffer.hpp>
@@ -23,7 +23,7 @@ struct Entity {
   bool operator<(const Entity& other) const { return std::tie(kind, sharers, nodes) < std::tie(other.kind, other.sharers, other.nodes); }
 };
 
-/// Entities of all ranks; an entity that two ranks describe differently is there twice.
+/// Entities of all ranks; an entity that two ranks describe differently occurs twice.
 std::set<Entity> found(const std::vector<SubdomainMesh>& mine) {
   Packer packer;
   for (const SeamEntity& entity : findSeams(mine)) {
@@ -46,7 +46,7 @@ std::set<Entity> found(const std::vector<SubdomainMesh>& mine) {
   return all;
 }
 
-/// The same by the definition: nodes of the same sharers hang together along edges, and on sides, that have these sharers.
+/// The same by definition: nodes with the same sharers are connected along edges, and on sides, that have these sharers.
 std::set<Entity> searched(const Mesh& mesh, const std::vector<int>& subdomainOfElement) {
   std::vector<std::set<int>> sharers(mesh.nodes());
   std::map<std::vector<int>, std::set<int>> ofEdge, ofSide;  // by all their nodes, ascending
@@ -114,7 +114,7 @@ std::map<EntityKind, int> counts(const std::set<Entity>& all) {
 }  // namespace
 
 TEUCHOS_UNIT_TEST(SeamsInSpace, KnowsVerticesEdgesAndFacesOfBricks) {
-  // k^3 bricks: (k-1)^3 cross points, 3 k (k-1)^2 edges, 3 k^2 (k-1) faces; edges and faces reach to the surface of the cube.
+  // k^3 bricks: (k-1)^3 cross points, 3 k (k-1)^2 edges, 3 k^2 (k-1) faces; edges and faces reach the surface of the cube.
   for (const Cell cell : {Cell::Hexahedron8, Cell::Tetrahedron4, Cell::Hexahedron20, Cell::Wedge6})
     for (const int k : {2, 3}) {
       const Mesh grid = cube(k, 2, cell);
@@ -134,7 +134,7 @@ TEUCHOS_UNIT_TEST(SeamsInSpace, AreWhatASearchFindsInRaggedSubdomains) {
     const std::set<Entity> all = found(mine);
     if (!onRoot()) continue;
     const std::set<Entity> expected = searched(grid, cut.subdomainOfElement);
-    // Where an edge crosses itself the crossing is a vertex, which the search does not know.
+    // Where an edge crosses itself the crossing is a vertex, which the search does not find.
     const auto nodesIn = [](const std::set<Entity>& entities) {
       std::multiset<GlobalId> nodes;
       for (const Entity& entity : entities) nodes.insert(entity.nodes.begin(), entity.nodes.end());

@@ -68,7 +68,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, CoversTheBodiesOnce) {
       area += signedSize(part, e);
       moment += signedSize(part, e) * centreOf(part, e)[1];
     }
-    // A node counts 1 over the number of its holders.
+    // A node counts 1 over its number of holders.
     for (int i = 0; i < part.nodes(); ++i) nodesByShares += 1.0 / (1.0 + part.others(i).size());
     TEST_ASSERT(std::is_sorted(part.globalNodes.begin(), part.globalNodes.end()));
     TEST_ASSERT(std::is_sorted(part.globalElements.begin(), part.globalElements.end()));
@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasTheContactEndsOfItsNodes) {
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
   CutScene scene(12);
-  if (onRoot()) {  // diagonal pairs beside the straight ones: runs of pairs that share unknowns, over more than one subdomain
+  if (onRoot()) {  // diagonal pairs in addition to the straight ones: runs of pairs that share unknowns, over more than one subdomain
     const std::vector<ContactPair> straight = scene.constraints.pairs;
     for (std::size_t i : {3, 4, 5, 6, 7, 8, 18, 19}) {
       ContactPair pair = straight[i];
@@ -146,7 +146,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
       pair.gap = 0.01 * pair.id;
     }
   }
-  // Rank 0 knows the whole: rows by brute force, runs by their construction (pairs 3..9 and 18..20 with the diagonals).
+  // Rank 0 has the whole mesh: rows by brute force, runs by their construction (pairs 3..9 and 18..20 with the diagonals).
   std::string bytes;
   if (onRoot()) {
     const auto run = [](int pair) {
@@ -246,7 +246,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, KnowsWhichSidesItSharesWithWhom) {
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, NamesTheOtherHoldersOfANode) {
-  // Holders are checked one by one where every subdomain is on this rank's side of the fence; in general: symmetric.
+  // Holders are checked one by one where every subdomain is on this rank's side of the boundary; in general: symmetric.
   const CutScene scene(7);
   std::map<std::pair<int, int>, std::set<GlobalId>> told;
   for (const SubdomainMesh& part : scene.mine)

@@ -23,7 +23,7 @@ Teuchos::RCP<Preconditioner> adaptive(const Teuchos::RCP<const InterfaceOperator
   return bddcWith(matrix, {"Weighting=" + weighting, "Edge Constraints=Adaptive", "Adaptive/Threshold=" + value.str()});
 }
 
-/// Most edges that a subdomain has, over all ranks.
+/// Largest number of edges of a subdomain, over all ranks.
 int edgesOfASubdomain(const InterfaceSpace& space) {
   int mine = 0, all = 0;
   for (int i = 0; i < space.locals(); ++i) {
@@ -36,8 +36,8 @@ int edgesOfASubdomain(const InterfaceSpace& space) {
   return all;
 }
 
-// |P_D w|^2 <= m^2 threshold |w|^2 with at most m edges of a subdomain: m for the sum over its edges in P_D w, m for its energy that each
-// of them counts.
+// |P_D w|^2 <= m^2 threshold |w|^2 with at most m edges of a subdomain: one m from the sum over its edges in P_D w, one m from its energy,
+// which each of them counts.
 void staysBelowItsBound(const Teuchos::RCP<const InterfaceOperator>& matrix, double threshold, const std::string& weighting, bool& success,
                         Teuchos::FancyOStream& out) {
   const auto m = adaptive(matrix, threshold, weighting);
@@ -49,11 +49,12 @@ void staysBelowItsBound(const Teuchos::RCP<const InterfaceOperator>& matrix, dou
   TEST_COMPARE(difference(pair.m, pair.m.transpose()), <, 1e-9);
   TEST_COMPARE(values(0), >, 1.0 - 1e-7);
   TEST_COMPARE(values(values.size() - 1), <, edges * edges * threshold);
-  // the bound is crude; what makes the method useful is that it is never nearly attained
+  // the bound is crude; the method is useful because it is never nearly attained
   TEST_COMPARE(values(values.size() - 1), <, 2.0 * threshold);
 }
 
-/// The edge between two subdomains without any code of the library beyond assembly: stiffness onto the seam, and from it the pencil.
+/// The edge between two subdomains without any code of the library except assembly: stiffness condensed to the seam, and from it the
+/// pencil.
 struct EdgeByHand {
   Vector values;  ///< eigenvalues of the pencil, ascending
 
@@ -67,7 +68,7 @@ struct EdgeByHand {
       return y > 1e-9 && y < 1 - 1e-9;
     };
     std::vector<int> edge, order[2];
-    Matrix t[2];  // the sides onto the whole seam
+    Matrix t[2];  // the sides condensed to the whole seam
     for (int s = 0; s < 2; ++s) t[s] = denseSchur(all.subdomains[s]->stiffness().dense(), shared[s]);
     for (std::size_t k = 0; k < shared[0].size(); ++k) {
       if (onEdge(int(k))) edge.push_back(int(k));
@@ -119,7 +120,7 @@ TEUCHOS_UNIT_TEST(AdaptiveConstraints, KeepTheSpectrumBelowAMultipleOfTheThresho
     const Twins t(scene);
     for (const double threshold : {2.0, 5.0, 20.0}) staysBelowItsBound(t.spread.linearised.matrix, threshold, "Deluxe", success, out);
     staysBelowItsBound(t.spread.linearised.matrix, 5.0, "Stiffness Diagonal", success, out);
-    // and this is their work: with rigid modes the same weighting is far off
+    // the effect of the constraints: with rigid modes the same weighting is far off
     const double rigid = DensePair(t.spread.matrix(), *bddc(t.spread.linearised.matrix, "Rigid Modes", "Deluxe")).eigenvalues().maxCoeff();
     out << "Rigid Modes " << rigid << "\n";
     TEST_COMPARE(rigid, >, 40.0);
@@ -155,7 +156,7 @@ TEUCHOS_UNIT_TEST(AdaptiveConstraints, OnContactLinesAreTheSameOnAnyNumberOfRank
   TEST_COMPARE(difference(DensePair(*a, *m).m, DensePair(*b, *other).m), <, 1e-7);
 }
 
-// S_0, in which contact groups do not take part: an edge to one of them has one side, and no jump to pay for.
+// S_0, which excludes contact groups: an edge to one of them has one side, and no jump.
 TEUCHOS_UNIT_TEST(AdaptiveConstraints, DoNotAskForLocalProblemsThatDoNotTakePart) {
   Scene scene = brickBlocks(4);
   scene.hold("upper_top", 1, 0.0);
@@ -166,7 +167,7 @@ TEUCHOS_UNIT_TEST(AdaptiveConstraints, DoNotAskForLocalProblemsThatDoNotTakePart
 }
 
 /// Largest value of the pencil of the line that three sheets share, jumps against energy, without any code of the library: all traces that
-/// are equal at the ends, continuous ones left out.
+/// are equal at the ends, continuous ones excluded.
 Vector pencilOfSheets(const Sheets& sheets, const std::vector<Matrix>& weights) {
   const int n = int(sheets.inner.size()), all = int(sheets.schur[0].rows()), free = 3 * n + (all - n);
   std::vector<int> ends;
@@ -182,10 +183,10 @@ Vector pencilOfSheets(const Sheets& sheets, const std::vector<Matrix>& weights) 
     energy += trace.transpose() * sheets.schur[i] * trace;
     cost += jump.transpose() * pick(sheets.schur[i], sheets.inner, sheets.inner) * jump;
   }
-  return eigenvalues(cost, energy);  // two sheets are clamped: regular, for rigid motions are the same at the ends
+  return eigenvalues(cost, energy);  // two sheets are clamped: regular, since rigid motions are the same at the ends
 }
 
-// Three sharers: symmetric, definite, and no eigenvalue above the threshold, which points alone miss by far. With one entity there is no
+// Three sharers: symmetric, definite, and no eigenvalue above the threshold, which points alone exceed by far. With one entity there is no
 // constant in the bound.
 TEUCHOS_UNIT_TEST(AdaptiveConstraints, KeepTheSpectrumBelowTheThresholdOnAnEdgeOfThreeSharers) {
   for (const std::string weighting : {"Deluxe", "Stiffness Diagonal"}) {
@@ -236,7 +237,7 @@ TEUCHOS_UNIT_TEST(AdaptiveConstraints, OfThreeSharersAreTheSameOnAnyNumberOfRank
   TEST_COMPARE(difference(DensePair(*spread.matrix, *m).m, DensePair(*single.matrix, *other).m), <, 1e-7);
 }
 
-// Aligned jumps: a sheet much stiffer or softer than the others costs nothing more.
+// Aligned jumps: a sheet much stiffer or softer than the others adds no cost.
 TEUCHOS_UNIT_TEST(AdaptiveConstraints, OfThreeSharersDoNotFeelAnAlignedJump) {
   std::map<double, int> sizes;
   for (const double jump : {1.0, 1e3, 1e-3, 1e6, 1e-6}) {
@@ -271,13 +272,13 @@ TEUCHOS_UNIT_TEST(AdaptiveConstraints, DemandNothingWithoutAJump) {
   const auto m = adaptive(t.spread.linearised.matrix, 50.0);
   TEST_EQUALITY(m->coarseSize(), none->coarseSize());
   TEST_COMPARE(difference(DensePair(t.spread.matrix(), *m).m, DensePair(t.spread.matrix(), *none).m), <, 1e-11);
-  // at a low one they are what rigid modes are, or fewer
+  // at a low threshold they equal rigid modes, or are fewer
   const auto low = adaptive(t.spread.linearised.matrix, 3.0);
   out << none->coarseSize() << " corners, " << low->coarseSize() << " coarse unknowns at 3\n";
   TEST_COMPARE(low->coarseSize(), <=, bddc(t.spread.linearised.matrix, "Rigid Modes")->coarseSize());
 }
 
-// Eigenvalues know nothing of the units of stress.
+// Eigenvalues do not depend on the unit of stress.
 TEUCHOS_UNIT_TEST(AdaptiveConstraints, DoNotChangeWhenAllIsStifferAlike) {
   Scene scene = bricks(2, 2, 7);
   const Twins soft(scene);

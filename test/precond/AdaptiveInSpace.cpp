@@ -1,5 +1,5 @@
-// Adaptive constraints on faces and on edges of four and more sharers, on bricks of 3 x 3 x 3 cells, every other one 1e6 times as stiff,
-// that no subdomain follows.
+// Adaptive constraints on faces and on edges of four and more sharers, on bricks of 3 x 3 x 3 cells, every other one 1e6 times as stiff;
+// subdomains do not follow the bricks.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <precond/BrickScenes.hpp>
 #include <precond/DensePair.hpp>
@@ -19,7 +19,7 @@ std::vector<std::string> adaptive(const std::string& weighting, double threshold
 
 constexpr double kThreshold = 5.0;  // the default
 
-/// The pencil of the one face between two subdomains, without code of the library beyond assembly: jumps against their least energy.
+/// The pencil of the one face between two subdomains, without code of the library except assembly: jumps against their least energy.
 Vector pencilOfOneFace(const Scene& scene, bool deluxe) {
   const Blocks all(scene, alone());
   Matrix t[2], weights[2];
@@ -56,8 +56,8 @@ Scene pairOfCubes(int m) {
   return scene;
 }
 
-// With one face there is no constant in the bound: the largest eigenvalue is the largest value of the pencil that is left. Deluxe weights
-// are exact there.
+// With one face there is no constant in the bound: the largest eigenvalue is the largest remaining value of the pencil. Deluxe weights are
+// exact there.
 TEUCHOS_UNIT_TEST(AdaptiveInSpace, OfOneFaceLeaveExactlyTheEigenvaluesBelowTheThreshold) {
   const Scene scene = pairOfCubes(5);
   const Interface one(scene, world());
@@ -111,7 +111,7 @@ TEUCHOS_UNIT_TEST(AdaptiveInSpace, TakeFifteenIterationsWhereBricksCutFacesAndEd
   }
 }
 
-// Where rows of stiff and soft cells leave a sparse factor no digits, the dense inverse is taken.
+// Where rows of stiff and soft cells leave no digits to a sparse factor, the dense inverse is used.
 TEUCHOS_UNIT_TEST(AdaptiveInSpace, HaveTheSameConditionWithSparseInverses) {
   const Interface one(cube(2, 5, 3), world());
   const auto dense = bddcWith(one.linearised.matrix, adaptive("Stiffness Diagonal", kThreshold, "Dense"));

@@ -82,8 +82,8 @@ TEUCHOS_UNIT_TEST(Bddc, ConditionDoesNotFeelAnAlignedJumpOf1e6) {
     }
 }
 
-// Clamped squares of mixed elements, their inner lines bent so that averages along the seams are not what flows through them. Ragged: nodes
-// moved at random, too, so that weights by the stiffness change from node to node.
+// Clamped squares of mixed elements, their inner lines bent so that averages along the seams differ from the flux through them. Ragged:
+// nodes moved at random, too, so that stiffness weights change from node to node.
 Scene softSquare(Cell cell, double poisson, bool ragged = false) {
   Box box;
   box.nx = box.ny = 16;
@@ -106,7 +106,7 @@ Scene softSquare(Cell cell, double poisson, bool ragged = false) {
 }
 
 TEUCHOS_UNIT_TEST(Bddc, ConditionOfMixedElementsDoesNotGrowAsPoissonsRatioTendsToOneHalf) {
-  // Quadrilateral4: a subdomain of a structured mesh is stiff against its chess boards, too, of which no flux tells.
+  // Quadrilateral4: a subdomain of a structured mesh is also stiff against its checkerboard modes, which have no flux.
   for (const Cell cell : casesOf({Cell::Quadrilateral4, Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9})) {
     const Lanczos easy = condition(softSquare(cell, 0.3), "Rigid Modes");
     for (const double poisson : {0.4999, 0.499999}) {
@@ -120,7 +120,8 @@ TEUCHOS_UNIT_TEST(Bddc, ConditionOfMixedElementsDoesNotGrowAsPoissonsRatioTendsT
 }
 
 TEUCHOS_UNIT_TEST(Bddc, WeightsThatChangeAlongAnEdgeDoNotLetVolumeThrough) {
-  // A jump without flux, weighted node by node, has one: it costs what the bulk modulus asks (470 at 0.499999 where only the flux is held).
+  // Weighting a jump without flux node by node gives it one, whose energy scales with the bulk modulus (470 at 0.499999 where only the flux
+  // is constrained).
   for (const char* weighting : casesOf({"Deluxe", "Stiffness Diagonal"}))
     for (const char* edges : {"Averages", "Rigid Modes"}) {
       const Lanczos easy = condition(softSquare(Cell::Quadrilateral4, 0.3, true), edges, weighting);
@@ -195,7 +196,7 @@ TEUCHOS_UNIT_TEST(Bddc, MoreConstraintsGiveALowerCondition) {
   TEST_COMPARE(all, <, 3.0);
 }
 
-// With few constraints changed of many unknowns inverses are updated, else made anew.
+// If few constraints of many unknowns change, inverses are updated, otherwise rebuilt.
 TEUCHOS_UNIT_TEST(Bddc, ComputesAgainForAnotherStatus) {
   for (const auto& [refinement, updates] : {std::pair(1, false), std::pair(12, true)}) {
     const OnInterface one(pressedBlocks(refinement), world());
@@ -214,7 +215,7 @@ TEUCHOS_UNIT_TEST(Bddc, ComputesAgainForAnotherStatus) {
     Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, more, Teuchos::outArg(all));
     TEST_EQUALITY(all > 0.0, updates);
     again->initialize(closed->space());
-    again->compute(closed);  // the first set again: nothing is left of the updates
+    again->compute(closed);  // the first set again: nothing remains of the updates
     TEST_EQUALITY(again->bytesRead(), bddc(closed)->bytesRead());
   }
 }
@@ -228,7 +229,7 @@ TEUCHOS_UNIT_TEST(Bddc, IsTheSameWithSparseLocalInverses) {
       const auto dense = bddcWith(matrix, {choice, "Local Inverses=Dense"}), sparse = bddcWith(matrix, {choice, "Local Inverses=Sparse"});
       TEST_COMPARE(difference(DensePair(*matrix, *sparse).m, DensePair(*matrix, *dense).m), <, 1e-9);
       TEST_EQUALITY(sparse->coarseSize(), dense->coarseSize());
-      TEST_EQUALITY(bddcWith(matrix, {choice})->bytesRead(), dense->bytesRead());  // Automatic in the plane
+      TEST_EQUALITY(bddcWith(matrix, {choice})->bytesRead(), dense->bytesRead());  // Automatic in 2D
     }
 }
 

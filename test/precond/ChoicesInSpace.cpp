@@ -1,4 +1,4 @@
-// Choices of preconditioners on cubes in space: subdomains that METIS cuts, nearly incompressible bodies, a second level, Neumann-Neumann.
+// Choices of preconditioners on 3D cubes: subdomains cut by METIS, nearly incompressible bodies, a second level, Neumann-Neumann.
 // Iterations until the preconditioned residual has fallen by 1e-8.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
@@ -73,8 +73,8 @@ TEUCHOS_UNIT_TEST(ChoicesInSpace, TakeTwentyIterationsInNearlyIncompressibleBodi
   }
 }
 
-// The volume that flows through a flat face is the integral of the normal displacement, by hand of its nodes' areas: jumps that the
-// constraints let pass have none. h = 1/4; nodes on the face's edges belong to other entities.
+// The flux through a flat face is the integral of the normal displacement, by hand from its nodes' areas: jumps that satisfy the
+// constraints have none. h = 1/4; nodes on the face's edges belong to other entities.
 TEUCHOS_UNIT_TEST(ChoicesInSpace, KeepTheFluxThroughFaces) {
   for (const char* constraints : {"Averages", "Automatic", "Rigid Modes"}) {
     const Interface one(mixedCube(2, Cell::Hexahedron8, 0.4999), world());
@@ -109,7 +109,7 @@ TEUCHOS_UNIT_TEST(ChoicesInSpace, KeepTheFluxThroughFaces) {
   }
 }
 
-// With accuracy .1 of the level above, three iterations more at most; measured: one on 27 to 64 bricks.
+// With accuracy .1 of the level above, at most three more iterations; measured: one on 27 to 64 bricks.
 TEUCHOS_UNIT_TEST(ChoicesInSpace, TakeThreeIterationsMoreWithASecondLevelAtMost) {
   struct At {
     int k;
@@ -128,7 +128,7 @@ TEUCHOS_UNIT_TEST(ChoicesInSpace, TakeThreeIterationsMoreWithASecondLevelAtMost)
   }
 }
 
-// M^-1 S has no eigenvalue below one (the balanced ones are one), and the largest does not grow from 8 to 27 bricks; 13 / 2.5 at 27.
+// M^-1 S has no eigenvalue below one (the balanced ones equal one), and the largest does not grow from 8 to 27 bricks; 13 / 2.5 at 27.
 TEUCHOS_UNIT_TEST(ChoicesInSpace, BalanceNeumannNeumannWithSixMotions) {
   for (const int k : casesOf({3, 2})) {
     const Interface one(cube(k, 4), world());

@@ -40,7 +40,7 @@ struct Level {
         solve(comm, coarse, int(cells.single.subdomains.size()), options) {}
   Level(const Cells& cells, int clusters, double accuracy = 0.1) : Level(cells, world(), cells.options(clusters, accuracy)) {}
 
-  /// Each rank some columns of cells.
+  /// Each rank has some columns of cells.
   static CoarseElements stripOf(CoarseElements all, const Comm& comm) {
     std::vector<double> x;
     for (const CoarseElement& element : all.elements) {
@@ -62,7 +62,7 @@ struct Level {
   }
 };
 
-/// On every rank by itself, for dense work: many applications, which take long with messages.
+/// On every rank separately, for dense work: many applications, which would need many messages.
 Level alike(const Cells& cells, int clusters, double accuracy = 0.1) { return Level(cells, alone(), cells.options(clusters, accuracy)); }
 
 }  // namespace
@@ -87,11 +87,11 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, IsSymmetricAndWithinItsAccuracyOfTheInverse) {
     out << accuracy << ": " << level.solve.steps() << " steps, eigenvalues " << values.minCoeff() << " to " << values.maxCoeff() << "\n";
     TEST_COMPARE(values.minCoeff(), >, 1.0 - accuracy - 1e-10);
     TEST_COMPARE(values.maxCoeff(), <, 1.0 + accuracy + 1e-10);
-    TEST_COMPARE((values.array() - 1.0).abs().maxCoeff(), >, 0.01 * accuracy);  // and no better than it is asked to be: few steps
+    TEST_COMPARE((values.array() - 1.0).abs().maxCoeff(), >, 0.01 * accuracy);  // and no more accurate than required: few steps
   }
 }
 
-// Clusters are those of the ranks, and differ with them; what the level promises does not.
+// Clusters depend on the ranks; the accuracy of the level does not.
 TEUCHOS_UNIT_TEST(ClusterCoarse, IsSymmetricAndWithinItsAccuracyOnAnyNumberOfRanks) {
   const Cells cells(8);
   const Level level(cells, 8);
@@ -103,7 +103,7 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, IsSymmetricAndWithinItsAccuracyOnAnyNumberOfRan
   TEST_COMPARE(values.maxCoeff(), <, 1.1 + 1e-10);
 }
 
-/// Average displacements of each edge, and how often they were asked for.
+/// Average displacements of each edge; counts the calls.
 class CountedAverages : public MomentConstraints {
  public:
   explicit CountedAverages(int& calls) : MomentConstraints(First::Nowhere), calls_(calls) {}
@@ -170,8 +170,8 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, MayHaveALevelOfItsOwn) {
   const Vector error = answer - exact;
   const double relative = std::sqrt(error.dot(cells.whole.stiffness * error) / exact.dot(load));
   out << "error in energy " << relative << "\n";
-  TEST_COMPARE(relative, <, 0.2);   // the third level is inexact, too, and the estimate sees it
-  TEST_COMPARE(relative, >, 1e-6);  // it is not the exact one
+  TEST_COMPARE(relative, <, 0.2);   // the third level is inexact, too, and the estimate includes it
+  TEST_COMPARE(relative, >, 1e-6);  // it is not the exact solve
 }
 
 TEUCHOS_UNIT_TEST(ClusterCoarse, GivesBddcAsManyIterationsAsTheExactCoarseSolve) {

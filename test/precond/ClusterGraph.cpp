@@ -20,7 +20,7 @@ ClusterGraph cellsOf(int blocks) {
   return graph;
 }
 
-/// Vertices and ends of edges, and what is left of each edge between them.
+/// Vertices and ends of edges, and the rest of each edge between them.
 struct Interfaces {
   std::vector<GlobalId> points;
   std::vector<std::vector<GlobalId>> edges;
@@ -89,7 +89,7 @@ TEUCHOS_UNIT_TEST(ClusterGraph, FourQuartersMeetAtACrossPointThatEndsTheirEdges)
 TEUCHOS_UNIT_TEST(ClusterGraph, SeparateStretchesBetweenTwoClustersAreTwoEdges) {
   const int n = 6;
   const ClusterGraph graph = cellsOf(n);
-  std::vector<int> middleAndRest;  // a strip across the square, and what is on both sides of it
+  std::vector<int> middleAndRest;  // a strip across the square, and the parts on both sides of it
   for (int cell = 0; cell < n * n; ++cell) middleAndRest.push_back(cell / n == 2 || cell / n == 3 ? 1 : 0);
   const Interfaces found(graph, middleAndRest);
   TEST_EQUALITY(int(found.edges.size()), 2);

@@ -6,11 +6,11 @@
 
 namespace suture::blocks {
 
-/// A body's stiffness as if it were a coarse matrix, its subdomains' matrices the elements: what the coarse solves have to invert is then
-/// known from elsewhere (Dense).
+/// A body's stiffness used as a coarse matrix, with its subdomains' matrices as elements: the inverse of the coarse solves is then known
+/// independently (Dense).
 CoarseElements coarseElementsOf(const Blocks& all, const Dense& whole);
 
-/// A vector of all coarse unknowns against its parts on the ranks, in the order of namesIn(). Collective.
+/// Conversion between a vector of all coarse unknowns and its parts on the ranks, in the order of namesIn(). Collective.
 struct CoarseParts {
   CommPtr comm;
   std::vector<int> names;
@@ -20,7 +20,7 @@ struct CoarseParts {
   Vector partOf(const Vector& all) const;
   /// The sum of parts.
   Vector sum(const Vector& mine) const;
-  /// Values that all ranks know alike, from one of them.
+  /// Values known on all ranks, from one of them.
   Vector joined(const Vector& mine) const;
 };
 

@@ -1,4 +1,4 @@
-// Dense weights of edges, against Schur complements made by hand and what symmetry says of them.
+// Dense weights of edges, against Schur complements made by hand and symmetry.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <precond/BrickScenes.hpp>
@@ -70,7 +70,7 @@ TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheShareOfTheSchurComplementsOnASeam) {
     TEST_COMPARE(difference(onEdge(d), solveSymmetric(onEdge(s[0]) + onEdge(s[1]), onEdge(s[id]))), <, 1e-9);
 }
 
-// Mirror images of each other: what they store in normal displacements of the line is the same.
+// Mirror images of each other: their energies in normal displacements of the line are the same.
 TEUCHOS_UNIT_TEST(DeluxeWeighting, AreHalvesBetweenMirrorImagesInContact) {
   for (const double ratio : {1.0, 3.0}) {
     Scene scene = scenes::twoBlocks(12, 4, 4, 1.0, 0.3);
@@ -87,7 +87,7 @@ TEUCHOS_UNIT_TEST(DeluxeWeighting, AreHalvesBetweenMirrorImagesInContact) {
   }
 }
 
-// On a seam, too, each component by itself is shared evenly; mirroring changes the sign of what couples the two.
+// Also on a seam each component separately is shared evenly; mirroring changes the sign of the coupling between the two.
 TEUCHOS_UNIT_TEST(DeluxeWeighting, AreHalvesOfEachComponentBetweenMirrorImages) {
   Box box;
   box.x1 = 2;
@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(DeluxeWeighting, AreHalvesOfEachComponentBetweenMirrorImages) 
   }
 }
 
-// By hand: D_i = (S_0 + S_1 + S_2)^-1 S_i on what all three share, the ends apart; together the identity.
+// By hand: D_i = (S_0 + S_1 + S_2)^-1 S_i on the unknowns that all three share, without the ends; their sum is the identity.
 TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheShareOfTheSchurComplementsOfThreeSharers) {
   const Sheets sheets(world());
   const auto onLine = [&](const Matrix& m) { return pick(m, sheets.inner, sheets.inner); };
@@ -124,7 +124,7 @@ TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheShareOfTheSchurComplementsOfThreeSharer
   TEST_COMPARE((sum - Matrix::Identity(20, 20)).norm(), <, 1e-10);
 }
 
-// At a cross point of four subdomains the two components are weighed together: by hand from dense Schur complements.
+// At a cross point of four subdomains the two components are weighted together: by hand from dense Schur complements.
 TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheShareOfTheSchurComplementsAtAVertex) {
   const Scene scene = bricks(2, 2, 7);
   const Twins t(scene);

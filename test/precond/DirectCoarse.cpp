@@ -9,7 +9,7 @@ namespace {
 
 using namespace blocks;
 
-/// Springs between numbers, dealt out to the ranks; the first is tied to the ground unless it floats.
+/// Springs between numbers, distributed over the ranks; the first is tied to the ground unless the chain floats.
 struct Springs {
   int size = 30;
   std::vector<CoarseElement> mine;
@@ -21,7 +21,7 @@ struct Springs {
       for (int step : {1, 7})
         if (i + step < size) add(at++, i, i + step, std::pow(10.0, i % 5));
     if (!floats)
-      for (int rank = 0; rank < world()->getSize(); ++rank) {  // a place to which every rank adds
+      for (int rank = 0; rank < world()->getSize(); ++rank) {  // a position to which every rank adds
         dense(0, 0) += 2.0;
         if (rank == world()->getRank()) mine.push_back({at + rank, {0}, Matrix::Constant(1, 1, 2.0)});
       }
@@ -40,7 +40,7 @@ TEUCHOS_UNIT_TEST(DirectCoarse, SolvesAsADenseSystemWithAnyNumberOfCopies) {
     for (const std::string solver : {"CHOLMOD", "Amesos2"}) {
       const DirectCoarse system(world(), springs.size, springs.mine, localSolver(solver)(), copies, false);
       TEST_EQUALITY(system.size(), springs.size);
-      for (unsigned seed : {1u, 2u}) {  // twice: a factor serves more than once
+      for (unsigned seed : {1u, 2u}) {  // twice: a factor is reused
         const Vector mine = random(int(springs.parts().names.size()), 1, 10 * seed + world()->getRank()).col(0);
         const Vector expected = solve(springs.dense, springs.parts().sum(mine));
         TEST_COMPARE(difference(system.solve(mine), expected(springs.parts().names)), <, 1e-10);  // on every rank

@@ -1,4 +1,4 @@
-// Sides of the entities that subdomains share, and what goes from one to the other.
+// Sides of the entities that subdomains share, and the data exchanged between them.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <precond/BrickScenes.hpp>
@@ -13,7 +13,8 @@ namespace {
 
 using namespace blocks;
 
-/// Points that are primal alone, that all sharers feel and that this side feels by a single row of its trace; without code of the library.
+/// Points that are separate primal unknowns, that all sharers include and that this side includes by a single row of its trace; without
+/// code of the library.
 std::set<double> singleRows(const InterfaceSpace& space, const std::vector<char>& alone, const EntitySide& side,
                             const std::vector<int>& sharers) {
   std::set<double> ids;
@@ -27,11 +28,11 @@ std::set<double> singleRows(const InterfaceSpace& space, const std::vector<char>
   return ids;
 }
 
-// At a meeting point of contact lines one side may feel a point through a relation of several unknowns only. Both leave it out, on any
-// ranks.
+// At a meeting point of contact lines one side may include a point only through a relation of several unknowns. Both sides leave the point
+// out, on any ranks.
 TEUCHOS_UNIT_TEST(EntitySides, AgreeOnThePointsThatTheyShare) {
   int differed = 0;
-  Scene kinks = brickBlocks();  // along the line one unknown is another; at its ends, and once within, four are in an equation
+  Scene kinks = brickBlocks();  // along the line one unknown equals another; at its ends, and once inside, four are in one equation
   for (const std::size_t pair : {std::size_t(0), std::size_t(4), kinks.constraints.pairs.size() - 1})
     kinks.constraints.pairs[pair].normal = {0.6, 0.8, 0};
   for (const Scene& scene : {kinks, swapped(kinks), crossingBlocks()}) {
@@ -68,7 +69,7 @@ TEUCHOS_UNIT_TEST(EntitySides, AgreeOnThePointsThatTheyShare) {
   TEST_COMPARE(all, >, 0);
 }
 
-// Three sharers, one or several on a rank: everybody gets what each of them makes.
+// Three sharers, one or several on a rank: each gets the data of the others.
 TEUCHOS_UNIT_TEST(EntitySides, ExchangeTheMatricesOfAllSharers) {
   const Sheets sheets(world());
   const InterfaceSpace& space = *sheets.matrix->space();

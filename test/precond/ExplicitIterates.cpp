@@ -10,7 +10,7 @@ namespace {
 
 using namespace blocks;
 
-// Conjugate gradients with dense Schur complements go the way of those with the paper's back-substitutions, step by step.
+// Conjugate gradients with dense Schur complements follow those with the paper's back-substitutions, step by step.
 TEUCHOS_UNIT_TEST(ExplicitIterates, AreThoseOfImplicitSchurComplements) {
   for (const Scene& scene : {clampedSquare(4, 6), stackedBlocks(2)}) {
     const Interface one(scene, world(), {}, "CHOLMOD", "Explicit"), other(scene, world(), {}, "CHOLMOD", "Implicit");

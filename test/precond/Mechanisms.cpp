@@ -1,4 +1,4 @@
-// Choices that leave mechanisms, as a user's strategy may: points are added until none is left.
+// Choices that leave mechanisms, as a user's strategy may: points are added until no mechanism is left.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <precond/DensePair.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace blocks;
 
-/// No point; of each edge the average of each component, or nothing.
+/// No points; for each edge the average of each component, or nothing.
 class FewConstraints : public PrimalConstraints {
  public:
   explicit FewConstraints(bool averages) : averages_(averages) {}
@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(Mechanisms, ConstraintsHaveFullRankOnRandomCuts) {
       const PrimalChoice choice = chosen(*matrix, averages);
       TEST_EQUALITY(missingRanks(*matrix, choice), 0);
       if (!averages) TEST_COMPARE(before, >=, 3);  // at least one subdomain floats
-      // rows stay orthonormal, and about unknowns that are not alone
+      // rows stay orthonormal, and contain only unknowns that are no separate points
       const std::vector<InterfaceEntity> rest = withoutAlone(space, choice.alone);
       for (std::size_t e = 0; e < rest.size(); ++e) {
         TEST_EQUALITY(choice.rows[e].cols(), int(rest[e].unknowns.size()));
@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(Mechanisms, ConstraintsHaveFullRankOnRandomCuts) {
     }
 }
 
-// A strip clamped at both ends: by its averages each subdomain hangs on two hinges and cannot move alone; all of them in a row can.
+// A strip clamped at both ends: with averages each subdomain is held by two hinges and cannot move alone; all of them in a row can.
 TEUCHOS_UNIT_TEST(Mechanisms, StiffenAStripThatIsALinkageOfHinges) {
   Box box;
   box.x1 = 6;
@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(Mechanisms, LeaveSoundChoicesAsTheyAre) {
   }
 }
 
-// A sheet that floats, with nothing said of the line that three share: points of all three.
+// A sheet that floats, without constraints on the line that three share: points of all three.
 TEUCHOS_UNIT_TEST(Mechanisms, HoldEdgesOfThreeSharers) {
   const Sheets sheets(world());
   const PrimalChoice choice = chosen(*sheets.matrix, false);

@@ -1,4 +1,4 @@
-// BDDC on contact lines whose meshes do not match, against the same lines with matching meshes.
+// BDDC on contact lines with non-matching meshes, against the same lines with matching meshes.
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace blocks;
 
-/// Two bodies of two rows of square subdomains each, with so many cells along a subdomain, one upon the other, both held at their far ends.
+/// Two stacked bodies of two rows of square subdomains each, with the given number of cells along a subdomain, both held at their far ends.
 struct Line {
   int length = 4, below = 8, above = 8;
   double youngBelow = 1.0, youngAbove = 1.0;
@@ -90,7 +90,7 @@ TEUCHOS_UNIT_TEST(MortarRows, KeepBddcSymmetricWithNoEigenvalueBelowOne) {
       }
 }
 
-// Local problems name rows' unknowns that others determine, of which clusters of a further level would be loose.
+// Local problems name rows' unknowns that others determine; clusters of a further level would be loose in them.
 TEUCHOS_UNIT_TEST(MortarRows, LeaveOutAFurtherLevel) {
   Line line;
   line.below = 2, line.above = 3;
@@ -172,7 +172,7 @@ Teuchos::RCP<InterfaceOperator> withOpen(const OnInterface& one, const std::func
   return one.problem.linearise(one.problem.stateOf(zeros(one.all), status)).matrix;
 }
 
-// Closed pairs whose rows leave the body loose where they straddle subdomains: on whatever two of them it rests, it is held.
+// Closed pairs whose rows leave the body loose where they straddle subdomains: any two pairs hold the body.
 TEUCHOS_UNIT_TEST(MortarRows, HoldABodyThatRestsOnTwoPairs) {
   Line line;
   line.length = 2;
@@ -210,7 +210,7 @@ TEUCHOS_UNIT_TEST(MortarRows, AreUpdatedWherePairsOpenAndClose) {
   }
   double mine[2] = {again->bytesRead() - fresh->bytesRead(), before}, all[2];
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 2, mine, all);
-  TEST_COMPARE(all[0], >, 0.0);  // inverses are updated: an application reads what was added to them
+  TEST_COMPARE(all[0], >, 0.0);  // inverses are updated: an application also reads the updates
   TEST_COMPARE(all[0], <, 0.2 * all[1]);
   const MultiVectorPtr flux = closed->space()->vector(), updated = closed->space()->vector(), other = closed->space()->vector();
   Matrix values = Matrix::Zero(partly->space()->overlapSize(), 1);

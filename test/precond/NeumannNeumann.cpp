@@ -14,7 +14,7 @@ TEUCHOS_UNIT_TEST(NeumannNeumann, IsSymmetricAndPositive) {
   for (const Scene& scene : {clampedSquare(3, 3), pressedBlocks(), stackedBlocks(3)}) {
     const Twins t(scene);
     std::vector<Teuchos::RCP<const InterfaceOperator>> operators{t.spread.linearised.matrix};
-    // S_0; not of the stacked blocks, whose middle one is held by contact alone, so that S_0 is singular
+    // S_0; not for the stacked blocks, whose middle one is held by contact alone, so that S_0 is singular
     if (t.spread.problem.pieces() == 1) operators.push_back(t.spread.problem.withoutContact());
     for (const auto& matrix : operators)
       for (const std::string& coarse : Registry<CoarseSpace>::instance().names()) {
@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(NeumannNeumann, HoldsTheModesThatItsNameSays) {
   TEST_EQUALITY(neumannNeumann(t.spread, t.spread.linearised.matrix, "Rigid Modes")->coarseSize(), 4 * 3);
 }
 
-// Balancing has no eigenvalue below one, and one itself is that of the coarse space; Lanczos sees both ends of the dense spectrum.
+// Balancing has no eigenvalue below one, and the eigenvalue one is that of the coarse space; Lanczos finds both ends of the dense spectrum.
 TEUCHOS_UNIT_TEST(NeumannNeumann, ConditionIsThatOfDenseEigenvalues) {
   const Twins t(clampedSquare(2, 8, 1.0, 0.25));
   const Matrix s = schur(t);
@@ -81,8 +81,8 @@ TEUCHOS_UNIT_TEST(NeumannNeumann, ConditionIsThatOfDenseEigenvalues) {
   }
 }
 
-// Unit square clamped on its left side, lambda = mu, H/h = 8. The bounds are those asked for; beside them today's own values, to see a
-// drift. Both coarse spaces level off: each step to four times as many subdomains adds less than the one before.
+// Unit square clamped on its left side, lambda = mu, H/h = 8. The bounds are the required ones; next to them the current values, to detect
+// a drift. Both coarse spaces level off: each step to four times as many subdomains adds less than the one before.
 TEUCHOS_UNIT_TEST(NeumannNeumann, ConditionLevelsOffFrom4To64Subdomains) {
   const int blocks[3] = {2, 4, 8};
   const std::map<std::string, std::pair<double, std::vector<double>>> expected{{"Rigid Modes", {3.5, {2.109, 3.092, 3.399}}},

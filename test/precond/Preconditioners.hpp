@@ -30,7 +30,7 @@ struct Lanczos {
 /// matrix. Collective.
 Lanczos conjugateGradients(const Operator& s, const Operator& m, const InterfaceSpace& space, const MultiVector& rhs);
 
-/// The same for a load drawn by lot, the same on any number of ranks. Collective.
+/// The same for a random load, identical on any number of ranks. Collective.
 Lanczos conjugateGradients(const InterfaceOperator& s, const Preconditioner& m);
 
 Lanczos conditionOf(const Scene& scene, const std::string& coarse, const std::string& weighting = "Stiffness Diagonal",

@@ -1,4 +1,4 @@
-// Constraints that subdomains of BDDC share: points, rows on edges, and the constraints of each local problem made of them.
+// Constraints that subdomains of BDDC share: points, rows on edges, and the constraints of each local problem built from them.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <interface/DenseSpace.hpp>
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(PrimalConstraints, HoldTheMotionsThatTheirNamesSayOnSeams) {
       const Matrix columns = motions(space, edge);
       TEST_EQUALITY(none.rows[e].rows(), 0);
       TEST_EQUALITY(averages.rows[e].rows(), 2);
-      TEST_EQUALITY(all.rows[e].rows(), edge.unknowns.size() > 2 ? 3 : 2);  // a single node has no rotation of its own
+      TEST_EQUALITY(all.rows[e].rows(), edge.unknowns.size() > 2 ? 3 : 2);  // a single node has no rotation
       span(averages.rows[e], columns.leftCols(2), success, out);
       span(all.rows[e], edge.unknowns.size() > 2 ? columns : Matrix(columns.leftCols(2)), success, out);
     }
@@ -102,7 +102,7 @@ TEUCHOS_UNIT_TEST(PrimalConstraints, HoldAverageAndFirstMomentOnContactLines) {
   sameOnAllRanks(space, all, success, out);
 }
 
-// For any trace of the space, neighbours must agree on the value of every primal unknown: what makes M^-1's traces continuous there.
+// For any trace of the space, neighbours must agree on the value of every primal unknown: this makes M^-1's traces continuous there.
 TEUCHOS_UNIT_TEST(PrimalConstraints, PrimalUnknownsHaveOneValueForAllWhoShareThem) {
   for (const Scene& scene : {clampedSquare(3, 4), pressedBlocks(), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
     for (const int open : {0, 3}) {
@@ -121,7 +121,7 @@ TEUCHOS_UNIT_TEST(PrimalConstraints, PrimalUnknownsHaveOneValueForAllWhoShareThe
         space.coupling(i).restrictTo(trace, own);
         const Vector values = constraints[i].rows * own.col(0);
         TEST_EQUALITY(constraints[i].rows.rows(), int(constraints[i].terms.size()));
-        // rows are independent, or a local problem could not obey them
+        // rows are independent, otherwise a local problem could not satisfy them
         if (values.size() > 0) TEST_EQUALITY(orthonormalBasis(Matrix(constraints[i].rows.transpose()), 1e-10).cols(), values.size());
         for (int r = 0; r < values.size(); ++r) {
           const auto& terms = constraints[i].terms[r];

@@ -33,7 +33,7 @@ TEUCHOS_UNIT_TEST(PrimalRows, PrimalUnknownsMoveWithRigidBodies) {
   }
   if (!all.empty()) {
     TEST_COMPARE(corners, >, 0);
-    TEST_COMPARE(moments, >, 0);  // every edge turns
+    TEST_COMPARE(moments, >, 0);  // every edge rotates
   }
 }
 

@@ -4,12 +4,12 @@
 
 namespace suture::blocks {
 
-/// Three sheets of bricks glued along one line: an edge that three local problems share, as there are in space. The first is clamped, the
-/// second floats; in the third, clamped as well, bricks are of another size, so that their jumps cut the line elsewhere.
+/// Three sheets of bricks glued along one line: an edge shared by three local problems, as in 3D. The first is clamped, the second floats;
+/// the third, clamped as well, has bricks of another size, so that their jumps cut the line elsewhere.
 struct Sheets {
   std::vector<Matrix> schur;                     ///< of each sheet, onto the line
   std::vector<int> inner;                        ///< unknowns of the line that are at neither end
-  Teuchos::RCP<const InterfaceOperator> matrix;  ///< sheets dealt out to the ranks
+  Teuchos::RCP<const InterfaceOperator> matrix;  ///< sheets distributed over the ranks
 
   /// \param jump  between bricks; \param stiffness  of each sheet, a factor
   explicit Sheets(const CommPtr& comm, double jump = 1e4, const std::vector<double>& stiffness = {1.0, 1.0, 1.0});

@@ -25,8 +25,8 @@ Scene square(Cell cell, double poisson) {
   return scene;
 }
 
-// Work of the constant pressure 1 and, in the second column, of pressures of alternating sign on the boundary of the square subdomain
-// in the middle, by hand: the nodes' forces of four cells of side h are h/2 towards the node's corner of each.
+// Work of the constant pressure 1 and, in the second column, of pressures of alternating sign on the boundary of the square subdomain in
+// the middle, by hand: the nodes' forces of four cells of side h are h/2 towards the node's corner of each.
 Matrix worksOfPressures(const InterfaceSpace& space, int local) {
   const double h = 1.0 / (kBlocks * kCells);
   Matrix works = Matrix::Zero(space.coupling(local).rows(), 2);
@@ -45,7 +45,7 @@ Matrix worksOfPressures(const InterfaceSpace& space, int local) {
   return works;
 }
 
-// The local problem in the middle and its place among those of this rank, or null.
+// The local problem in the middle and its index among those of this rank, or null.
 int middle(const Interface& one) {
   for (int i = 0; i < one.space->locals(); ++i)
     if (one.linearised.matrix->locals()[i]->id() == kBlocks * kBlocks / 2) return i;
@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(VolumetricPrimalModes, AreTheWorkOfPressuresThatDoNoneInside) 
     const LocalProblem& local = *one.linearised.matrix->locals()[i];
     const Matrix found = stiffTraces(local);
     TEST_EQUALITY(found.cols(), 2);
-    // S >= lambda w w^T / area, and nothing else in it is large: of both the same, to the shear modulus.
+    // S >= lambda w w^T / area, and nothing else in it is large: both agree, up to the shear modulus.
     const Matrix works = worksOfPressures(*one.space, i) * (kBlocks * std::sqrt(lambda));
     const double size = works.squaredNorm();
     TEST_COMPARE(size, >, lambda);
@@ -79,14 +79,14 @@ TEUCHOS_UNIT_TEST(VolumetricPrimalModes, OfStablePairsAreTheFluxAlone) {
     const Interface one(square(cell, 0.499999), world());
     for (int i = 0; i < one.space->locals(); ++i) {
       const LocalProblem& local = *one.linearised.matrix->locals()[i];
-      // Numbered column by column. Those with a part of the free boundary can let volume out there.
+      // Numbered column by column. Subdomains with a part of the free boundary can change their volume there.
       const bool enclosed = local.id() % kBlocks == 1 && local.id() < 2 * kBlocks;
       TEST_EQUALITY(stiffTraces(local).cols(), enclosed ? 1 : 0);
     }
   }
 }
 
-// S of low rank, and nothing else: from the second step on there are fewer directions than were tried.
+// S of low rank, and nothing else: from the second step on fewer directions remain than were tried.
 class FewStiffDirections : public LocalProblem {
  public:
   FewStiffDirections(const Matrix& directions, const Vector& stiffness)

@@ -7,8 +7,8 @@ namespace {
 
 using namespace blocks;
 
-/// A user's own, dense: shares by multiplicity, with a part that cancels in the sum over the two sides of a seam (the sides know each
-/// other by the parity of their numbers).
+/// A user's dense weighting: shares by multiplicity, plus a part that cancels in the sum over the two sides of a seam (the sides are
+/// distinguished by the parity of their numbers).
 class UsersWeighting : public Weighting {
  protected:
   void doSetup(const InterfaceSpace& space, const LocalProblems& locals) override {
@@ -116,7 +116,7 @@ TEUCHOS_UNIT_TEST(Weighting, RefusesAnUnknownThatNobodyHolds) {
   const Twins t(clampedSquare(2, 3));
   LocalProblems some = t.spread.matrix().locals();
   for (auto& local : some)
-    if (local->id() >= 2) local.reset();  // the seam between the last two is left alone
+    if (local->id() >= 2) local.reset();  // the seam between the last two is unchanged
   for (const char* name : {"Multiplicity", "Young", "Stiffness Diagonal"})
     TEST_THROW(make(name)->setup(*t.spread.space, some), NumericalError);
 }

@@ -1,4 +1,4 @@
-// Slides, rolling and moments across gaps, of pairs put together by hand.
+// Slides, rolling and moments across gaps, of pairs made by hand.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/quality/VerifyPlaces.hpp>
@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-/// A row of pairs, side by side, under a force of one each. Body 0 is above, body 1 below, or there is an obstacle.
+/// A row of pairs, side by side, with a unit force each. Body 0 is above, body 1 below, or there is an obstacle.
 struct Row {
   std::vector<PairEndShare> ends;
   std::vector<PairResult> pairs;
@@ -72,7 +72,7 @@ TEUCHOS_UNIT_TEST(ContactPlaces, SlidesAreInCellsOfTheFinerSide) {
   TEST_FLOATING_EQUALITY(row.slide(), 0.4, 1e-12);
 }
 
-/// A long row of a large body: slides of pairs in the middle move forces by a small part of it.
+/// A long row of a large body: slides of pairs in the middle move forces by a small fraction of it.
 TEUCHOS_UNIT_TEST(ContactPlaces, FarFromTheEndsWhatCountsIsTheBody) {
   for (const bool isBent : {false, true}) {
     Row row;
@@ -81,7 +81,7 @@ TEUCHOS_UNIT_TEST(ContactPlaces, FarFromTheEndsWhatCountsIsTheBody) {
       row.add({0.25 * i, 0, 0}, isBent ? unit(Point{0.08 * i, -1, 0}) : kDown, {0, 0, 0}, 0.0, i > 10 && i < 30 ? 1.0 : 0.0);
     for (PairEndShare& end : row.ends)
       if (end.body == 0) end.jump = {0.5, 0, 0};
-    for (PairResult& pair : row.pairs) pair.kind.separates = false;  // open ones are out of question here
+    for (PairResult& pair : row.pairs) pair.kind.separates = false;  // open ones do not count here
     const double value = row.slide();
     if (isBent) TEST_COMPARE(value, >, 1.0);
     if (!isBent) TEST_FLOATING_EQUALITY(value, 0.5 / (0.05 * 20.0), 1e-12);
@@ -114,7 +114,7 @@ TEUCHOS_UNIT_TEST(ContactPlaces, ADiscThatRolls) {
     for (const double angle : {-0.1, 0.0, 0.1})
       row.add({std::sin(angle), 1 - std::cos(angle), 0}, isRound ? Point{std::sin(angle), -std::cos(angle), 0} : kDown, {0, 0, 0});
     TEST_FLOATING_EQUALITY(row.slide(), isRound ? 0.2 / 0.25 : 0.0, 1e-12);
-    row.motions[0].largest = 0.05;  // of an extent of two: explains twice .025
+    row.motions[0].largest = 0.05;  // extent of two: explains twice .025
     TEST_FLOATING_EQUALITY(row.slide(), isRound ? 0.15 / 0.25 : 0.0, 1e-12);
     row.motions[0].largest = 0.0;
     row.motions[1].rotation = {0, 0, 0.2};  // with it

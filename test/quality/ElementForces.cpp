@@ -87,7 +87,7 @@ TEUCHOS_UNIT_TEST(ElementForces, AreThoseOfTheElementMatrices) {
 TEUCHOS_UNIT_TEST(ElementForces, ATranslationCostsNothing) {
   forAllCases([&](ForcesCase& one) {
     const ElementForces still = elementForces(one.mesh, one.materialOf, one.plane, one.u);
-    // whole numbers carried by a power of two: nothing is rounded
+    // integers times a power of two: no round-off
     Vector u = (one.u * 1024).array().round().matrix(), moved = u;
     for (int node = 0; node < one.mesh.nodes(); ++node)
       for (int k = one.mesh.axisymmetric ? 1 : 0; k < one.mesh.dimension; ++k)
@@ -114,7 +114,7 @@ TEUCHOS_UNIT_TEST(ElementForces, RoundingBoundsWhatRoundedDisplacementsDo) {
       worst = std::max(worst,
                        (rounded.internal - exact).segment(one.mesh.dimension * node, one.mesh.dimension).norm() / rounded.rounding[node]);
     TEST_COMPARE(worst, <, 1.5);
-    TEST_COMPARE(worst, >, 1e-3);  // nor is it a bound that says nothing
+    TEST_COMPARE(worst, >, 1e-3);  // and the bound is not trivial
   });
 }
 

@@ -1,4 +1,4 @@
-// The estimated error against the exact one, and against other cuts of the same mesh.
+// The estimated error against the exact one, and against other partitions of the same mesh.
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
@@ -32,7 +32,7 @@ struct Exact {
   std::function<Eigen::Vector3d(const Point&)> stress;
 };
 
-// phi = exp(z): of all orders, its strains are nowhere small.
+// phi = exp(z): contains all orders, its strains are nowhere small.
 Exact exponential() {
   return {[](const Point& p) {
             const Complex z(p[0], p[1]), phi = std::exp(z);
@@ -142,7 +142,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, ApproachesTheExactErrorOfEveryCell) {
     }
 }
 
-// V6 with the contact status given: Williams' expansion, n = 3, about the point (end, 0) where contact (x > end) ends.
+// V6 with prescribed contact status: Williams' expansion, n = 3, about the point (end, 0) where contact (x > end) ends.
 Exact williams(double end) {
   const double a = -1.0, kappa = 3 - 4 * kPoisson;
   const auto polar = [=](const Point& p) { return std::array<double, 2>{std::hypot(p[0] - end, p[1]), std::atan2(p[1], p[0] - end)}; };
@@ -169,11 +169,11 @@ Exact williams(double end) {
 }
 
 TEUCHOS_UNIT_TEST(ErrorEstimate, IsGoodAtTheEndOfContact) {
-  // The stresses of V6 (doc/validation.md): 3 A sqrt(x) on the line, none beyond its end.
+  // The stresses of V6 (doc/validation.md): 3 A sqrt(x) on the line, zero beyond its end.
   TEST_FLOATING_EQUALITY(williams(0).stress({0.49, 1e-300, 0})(1), -3 * 0.7, 1e-12);
   TEST_COMPARE(williams(0).stress({-0.49, 1e-300, 0}).tail(2).norm(), <, 1e-12);
-  // On a node, and at places inside an edge: of quadratic quadrilaterals half to nine tenths of the square of the error are in the one or
-  // two elements at the point, and depend on where it is in them.
+  // On a node, and at points inside an edge: with quadratic quadrilaterals half to nine tenths of the squared error are in the one or two
+  // elements at the point, and depend on its position in them.
   for (const double inEdge : {0.0, 0.1, 0.25, 0.5, 0.75, 0.9})
     for (const Cell cell : estimatedCells)
       for (const int n : {16, 32}) {
@@ -196,7 +196,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsGoodAtTheEndOfContact) {
         const double effectivity = estimate(blocks::Blocks(scene, blocks::world()), u).energyNorm / truth;
         out << cellInfo(cell).name << " " << n << ", at " << inEdge << " of an edge: exact " << truth << ", effectivity " << effectivity
             << "\n";
-        TEST_COMPARE(effectivity, >, inEdge == 0.25 ? 0.79 : 0.8);  // the worst of all places: Quadrilateral8 0.799 on 16 cells
+        TEST_COMPARE(effectivity, >, inEdge == 0.25 ? 0.79 : 0.8);  // the worst position: Quadrilateral8 0.799 on 16 cells
         TEST_COMPARE(effectivity, <, 1.3);
       }
 }
@@ -204,7 +204,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsGoodAtTheEndOfContact) {
 TEUCHOS_UNIT_TEST(ErrorEstimate, IsZeroWhereTheSolutionIsExact) {
   for (const Cell cell : estimatedCells) {
     const int order = cell == Cell::Triangle3 || cell == Cell::Quadrilateral4 ? 1 : 2;
-    // Curved cells have displacements of the first order exactly, straight ones those of the cell's order.
+    // Curved cells reproduce linear displacements exactly, straight ones those of the cell's order.
     for (const int p : order == 1 ? std::vector<int>{1} : std::vector<int>{1, 2}) {
       const scenes::Scene scene = square(cell, 4, 2, p == 1 ? 1.0 : 0.0, power(p));
       const DiscretisationError error = estimate(blocks::Blocks(scene, blocks::world()), solve(scene));
@@ -233,7 +233,8 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsZeroForUniformStressInBodiesOfFewElements) {
     }
 }
 
-// Stress across jumps by a factor of 50 within the body and from body to body: uniform in each, so that nothing is to be estimated.
+// The transverse stress jumps by a factor of 50 within the body and between bodies: uniform in each, so that nothing is to be
+// estimated.
 TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotSmoothJumpsBetweenMaterialsAndBodies) {
   for (const Cell cell : estimatedCells) {
     auto boxes = blocks::twoBoxes(4, 4, 2, 2);
@@ -249,7 +250,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotSmoothJumpsBetweenMaterialsAndBodies) {
       for (const int node : scene.mesh.nodesOf(e)) y += scene.mesh.point(node)[1] / scene.mesh.nodesOf(e).size();
       if (y < -0.5) scene.mesh.regions[e] = 0;
     }
-    // Columns under one pressure: strain across zero, along y in proportion to 1 / E.
+    // Columns under one pressure: transverse strain zero, along y proportional to 1 / E.
     for (int node = 0; node < scene.mesh.nodes(); ++node) {
       const double y = scene.mesh.point(node)[1];
       u(2 * node + 1) =
@@ -264,7 +265,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotDependOnTheCut) {
   for (const Cell cell : estimatedCells) {
     const scenes::Scene whole = square(cell, 8, 1, 1.0, exponential());
     const Vector u = solve(whole);
-    // One block of the whole mesh, nothing to exchange.
+    // The whole mesh in one block, nothing to exchange.
     std::vector<PatchRecovery> one;
     one.emplace_back(
         whole.mesh, [&](int) -> const Material& { return whole.model.materialOfBody[0]; }, PlaneModel::Strain, u);
@@ -279,7 +280,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotDependOnTheCut) {
     };
     agrees(blocks::Blocks(whole, blocks::world()));
     agrees(blocks::Blocks(square(cell, 8, 4, 1.0, exponential()), blocks::world()));  // 2 x 2 cells each
-    agrees(blocks::Blocks(square(cell, 8, 8, 1.0, exponential()), blocks::world()));  // a cell each: no patch whole
+    agrees(blocks::Blocks(square(cell, 8, 8, 1.0, exponential()), blocks::world()));  // one cell each: no complete patch
     agrees(blocks::Blocks(whole, blocks::world(), 7));
   }
 }
@@ -314,7 +315,7 @@ TEUCHOS_UNIT_TEST(AveragedEstimate, IsZeroForUniformStressAndForNone) {
   for (const Cell cell : estimatedCells) {
     const scenes::Scene scene = square(cell, 4, 2, 1.0, power(1));
     TEST_COMPARE(averaged(blocks::Blocks(scene, blocks::world()), solve(scene)), <, 1e-10);
-    Vector moved(2 * scene.mesh.nodes());  // a translation and a turn: stresses are rounding
+    Vector moved(2 * scene.mesh.nodes());  // a translation and a rotation: stresses are round-off
     for (int node = 0; node < scene.mesh.nodes(); ++node)
       moved.segment<2>(2 * node) << 1.7 - 0.3 * scene.mesh.point(node)[1], 2.9 + 0.3 * scene.mesh.point(node)[0];
     TEST_EQUALITY(averaged(blocks::Blocks(scene, blocks::world()), moved), 0.0);
@@ -331,7 +332,7 @@ TEUCHOS_UNIT_TEST(AveragedEstimate, DoesNotDependOnTheCut) {
   }
 }
 
-// A slender beam, two triangles across it: what a warning is for.
+// A slender beam with two triangles across it, as an example of a warning.
 TEUCHOS_UNIT_TEST(AveragedEstimate, SeesTrianglesThatCannotBend) {
   const auto bent = [](Cell cell) {
     Box box;

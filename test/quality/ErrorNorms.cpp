@@ -101,7 +101,8 @@ TEUCHOS_UNIT_TEST(ErrorNorms, AlongASideAreIntegralsOverItsLength) {
 }
 
 TEUCHOS_UNIT_TEST(ErrorNorms, OverAFaceAreIntegralsOverItsArea) {
-  // p = x + y on the triangle (0, 0, 0), (1, 0, 1), (0, 1, 0), of which a unit of area in x and y has sqrt(2): integral of p^2 1/4 sqrt(2).
+  // p = x + y on the triangle (0, 0, 0), (1, 0, 1), (0, 1, 0), where a unit area in x and y has the surface sqrt(2): integral of p^2 1/4
+  // sqrt(2).
   const std::vector<Point> triangle{{0, 0, 0}, {1, 0, 1}, {0, 1, 0}};
   const SquaredNorms zero = sideErrors(triangle, 3, Vector::Zero(3), Expression("x + y"));
   TEST_FLOATING_EQUALITY(zero.error, std::sqrt(2.0) / 4, 1e-13);

@@ -1,4 +1,4 @@
-// Scenes of expressions alone: data and exact solution in the XML. Fields and forces were derived with sympy from the displacements.
+// Scenes defined by expressions: data and exact solution in the XML. Fields and forces were derived with sympy from the displacements.
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -163,7 +163,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, FallWithTheOrdersOfTheory) {
         << fine.at("energy_norm_relative") << ", order " << energy << "\n";
     TEST_COMPARE(std::abs(displacement - (p + 1)), <, 0.15);
     TEST_COMPARE(std::abs(energy - p), <, 0.1);
-    TEST_COMPARE(fine.at("displacement_l2_relative"), <, p == 1 ? 1e-2 : 1e-4);  // the right solution, not one nearby
+    TEST_COMPARE(fine.at("displacement_l2_relative"), <, p == 1 ? 1e-2 : 1e-4);  // the right solution, not a similar one
   }
 }
 
@@ -228,7 +228,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, TellWhereAnExpressionIsNotFiniteBeforeTheSolveAnd
     }
 }
 
-// The scenes of input/validation as they are, with other cells.
+// The scenes of input/validation, with other cells.
 Errors validated(const CommPtr& comm, const std::string& scene, const std::string& box, const std::string& cell, const std::string& cells) {
   const std::string path = std::string(SUTURE_SOURCE_DIR "/input/validation/") + scene + "/" + scene + ".xml",
                     own = "Mesh/Boxes/" + box + "/";
@@ -283,7 +283,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, OfTheValidationScenesAreTheSameOnAnyRanks) {
   }
 }
 
-// A straight line along x with nodes at the given places; sides of 2 or 3 nodes.
+// A straight line along x with nodes at the given coordinates; sides of 2 or 3 nodes.
 std::vector<ContactSide> lineOf(const std::vector<double>& ends, int nodes) {
   std::vector<ContactSide> sides;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
@@ -319,7 +319,7 @@ TEUCHOS_UNIT_TEST(PressureField, GivesBackThePolynomialWhoseForcesAreGiven) {
 }
 
 TEUCHOS_UNIT_TEST(PressureField, GoesOnIntoAHeldEnd) {
-  // A constant pressure q, of which the held end's force is not known: Simpson's weights on sides of 3 nodes, halves on those of 2.
+  // A constant pressure q; the force at the held end is unknown: Simpson's weights on sides of 3 nodes, halves on those of 2.
   const double q = 7.0;
   for (const int nodes : {2, 3}) {
     const std::vector<double> ends{0.0, 0.5, 1.0};

@@ -1,4 +1,4 @@
-// The results of pairs that rub, and the verdict on them: it holds for answers known by hand, and names what is planted.
+// Results of sliding pairs, and the verdict on them: it accepts answers known by hand, and names planted errors.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/RubbingBlocks.hpp>
 #include <suture/base/Point.hpp>
@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, SlideBesideTheirPartners) {
           TEST_ASSERT(slide);
           if (!slide) continue;
           out << dimension << " " << onObstacle << " " << shift << " " << slide->value << " " << slide->where << "\n";
-          const double slid = onObstacle ? 0.0 : (shift + RubbingBlocks::slid) / 0.25;  // the plane goes on
+          const double slid = onObstacle ? 0.0 : (shift + RubbingBlocks::slid) / 0.25;  // the plane continues
           TEST_COMPARE(std::abs(slide->value - slid), <, 1e-10);
           TEST_EQUALITY(slide->holds(), onObstacle || shift < 0.25);
           TEST_EQUALITY(warningsOf(verdict), !onObstacle && shift == 0.15 ? 1 : 0);
@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, MissTheMomentAcrossAGap) {
   }
 }
 
-/// Normal forces that cancel but for what a solver leaves of them have no centre.
+/// Normal forces that cancel up to the solver's error have no centre.
 TEUCHOS_UNIT_TEST(FrictionAnswers, HaveACentreOnlyWhereTheyPress) {
   std::vector<PairResult> pairs(2);
   for (PairResult& pair : pairs) pair.line = 0, pair.tangential = {1.0, 0, 0};
@@ -217,7 +217,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, FailByTheCheckThatSeesWhatIsPlanted) {
       }
 }
 
-/// A slip that is a thousand times smaller than what the bound allows has no direction that could contradict that of the force.
+/// A slip a thousand times smaller than the tolerance has no direction that could contradict that of the force.
 TEUCHOS_UNIT_TEST(FrictionAnswers, TakeNoDirectionFromASlipThatIsRounding) {
   for (const int dimension : {2, 3}) {
     RubbingBlocks answer = blocks(Rubs::Slip, dimension);

@@ -11,14 +11,14 @@
 
 namespace suture::blocks {
 
-/// An answer to a scene that a test may spoil before it is judged. Every rank solves the whole scene by the reference and takes its part.
+/// An answer to a scene that a test may corrupt before it is judged. Every rank solves the whole scene by the reference and takes its part.
 struct Judged {
   Scene scene;
   Blocks all;
   std::vector<Vector> displacement;
   std::vector<PairResult> pairs;  // on rank 0
   double tolerance = 1e-8;
-  std::vector<BodyForces> past{};  // on load steps before
+  std::vector<BodyForces> past{};  // on previous load steps
 
   explicit Judged(const Scene& given);
   void take(const MonolithicResult& found);
@@ -27,11 +27,11 @@ struct Judged {
   double deformation(int body) const;
   double extent(int body) const { return deformations(*world(), all.meshes, displacement, int(all.model.bodies.size()))[body].extent; }
 
-  /// change(place, displacement) at all nodes of a body.
+  /// Applies change(place, displacement) to all nodes of a body.
   void move(int body, const std::function<void(const Point& place, double* u)>& change);
-  /// The node of a body that is nearest to a place, in all subdomains that hold it.
+  /// The node of a body nearest to a place, in all subdomains that hold it.
   void moveNear(int body, const Point& place, const std::function<void(double* u)>& change);
-  /// The pair with the largest force, or with the largest gap; rank 0, elsewhere -1.
+  /// The pair with the largest force, or with the largest gap; rank 0, -1 on the others.
   int strongest() const;
   int widest() const;
   double largestForce() const { return pairs.empty() ? 0.0 : pairs[strongest()].force; }
@@ -45,13 +45,13 @@ Scene looseBlock(double young = 100.0, double load = 1.0, int cells = 8);
 /// The same with pairs of three ends, a node below against two above.
 Scene mortarBlock();
 
-/// One block pressed onto a rigid obstacle below that is nearer in the middle.
+/// One block pressed onto a rigid obstacle that is nearer in the middle.
 Scene blockOnObstacle(double young = 100.0);
 
-/// A block that its prescribed top lifts off the other and shifts: it carries nothing, and its displacements are those of one motion.
+/// A block that its prescribed top lifts off the other and shifts: it carries nothing, and moves rigidly.
 Scene liftedBlock();
 
-/// Two scenes that know nothing of each other in one: four blocks, of which the second two are `weak` times as stiff and as loaded.
+/// Two independent scenes in one: four blocks, of which the second two are `weak` times as stiff and as loaded.
 Scene strongAndWeak(double weak);
 
 }  // namespace suture::blocks

@@ -1,4 +1,4 @@
-// Boxes and rings that reach into each other by a depth that is known, on any number of ranks.
+// Boxes and rings that overlap by a known depth, on any number of ranks.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/SolidScenes.hpp>
 #include <suture/base/Point.hpp>
@@ -12,7 +12,7 @@ namespace overlaps {
 using solids::distributed;
 using solids::world;
 
-/// Corners of a box; the third coordinates only in space.
+/// Corners of a box; the third coordinates only in 3D.
 Box block(const std::string& name, Cell cell, const Point& low, const Point& high, const std::array<int, 3>& cells) {
   Box box;
   box.name = name;
@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(Overlaps, OfDisplacedBodies) {
   TEST_EQUALITY(search.find(*world(), broken).size(), 0);
 }
 
-/// A ring of quadrilaterals between two radii, as a box that is bent: x round the circle, y along the radius.
+/// A ring of quadrilaterals between two radii, a bent box: x round the circle, y along the radius.
 void bend(Mesh& mesh, const std::string& group, double inner, double outer) {
   for (int node = 0; node < mesh.nodes(); ++node) {
     if (mesh.bodies[mesh.bodyOfNode[node]] != group) continue;
@@ -132,7 +132,7 @@ TEUCHOS_UNIT_TEST(Overlaps, NoneOfStraightSidesAlongOneArc) {
     const std::vector<SubdomainMesh> meshes = distributed(scene);
     const auto all = OverlapSearch(meshes, 2).find(*world());
     TEST_EQUALITY(all.size(), clearance < 0 ? 1 : 0);
-    // but for what straight sides cut off: 2 (1 - cos(3/24)), and as much of the others
+    // less what straight sides cut off: 2 (1 - cos(3/24)), and as much from the others
     if (!all.empty()) TEST_COMPARE(std::abs(all[0].depth - 0.2), <, 0.03);
   }
 }

@@ -1,4 +1,4 @@
-// Right answers, spoilt one at a time: the verdict must hold before, and name what was planted after.
+// Right answers, corrupted one at a time: the verdict must accept them before, and name the planted error after.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/Judged.hpp>
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace blocks;
 
-/// Judges the answer as it is and with an error in it. \param body  that the verdict must name; "" any
+/// Judges the answer without and with an error. \param body  that the verdict must name; "" any
 void caught(const Scene& scene, const std::string& name, const std::function<void(Judged&)>& plant, bool& success,
             Teuchos::FancyOStream& out, const std::string& body = "") {
   Judged answer(scene);
@@ -34,7 +34,7 @@ void caught(const Scene& scene, const std::string& name, const std::function<voi
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Bodies that move as a whole: no element notices.
+// Bodies that move as a whole: no element detects it.
 PLANT(ALooseBodyLifted, looseBlock(), "status", {
   const double shift = 1e-5 * answer.deformation(1);
   answer.move(1, [&](const Point&, double* u) { u[1] += shift; });
@@ -56,7 +56,7 @@ PLANT(AFixedBodyMoved, pressedBlocks(), "prescribed", {
   answer.move(0, [&](const Point&, double* u) { u[0] += shift; });
 })
 
-// What solvers leave of the forces on a path is accepted where nothing acts any more, and no more than that.
+// Where nothing acts any more, solver errors relative to the path's largest forces are accepted, and nothing larger.
 TEUCHOS_UNIT_TEST(PlantedErrors, AreMeasuredByThePathWhereItEndsAtZero) {
   const auto verdict = [](double shift, double carried) {
     Judged answer(liftedBlock());
@@ -191,7 +191,7 @@ PLANT(AnotherNormal, looseBlock(), "residual", {
     for (ContactRow& row : mesh.contactRows) row.pair.normal = {1e-4, 1, 0};
 })
 
-/// All bodies carried away by so many times their size: a right answer, whose digits are gone.
+/// All bodies moved by the given number of body sizes: a right answer that has lost its digits.
 TEUCHOS_UNIT_TEST(PlantedErrors, DigitsLostToARigidMotion) {
   Judged answer(pressedBlocks());
   TEST_ASSERT(answer.verdict().holds());
@@ -208,7 +208,7 @@ TEUCHOS_UNIT_TEST(PlantedErrors, DigitsLostToARigidMotion) {
   }
 }
 
-/// In a contact that slides freely, a body turned by the tangent's small slope: forces balance, and its place means nothing.
+/// In a contact that slides freely, a body is rotated by the small slope of the tangent: forces balance, but its position is meaningless.
 TEUCHOS_UNIT_TEST(PlantedErrors, ATurnThatNothingHolds) {
   for (const double turn : {0.2, 8.0}) {
     Judged answer(looseBlock());
@@ -229,16 +229,16 @@ TEUCHOS_UNIT_TEST(PlantedErrors, ATurnThatDeformationExplains) {
   arm.largest = 1e-3;
   TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.4);
   TEST_EQUALITY(unexplainedTurn({roller, arm}, 1), 0.0);
-  arm.largest = 1e-2;  // bent by as much as the roller has turned
+  arm.largest = 1e-2;  // bent by as much as the roller has rotated
   TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.0);
   arm.largest = 1e-3;
-  arm.prescribed = 3e-3;  // far less than the roller has turned
+  arm.prescribed = 3e-3;  // far less than the roller has rotated
   TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.4);
   arm.prescribed = 1e-2;
   TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.0);
 }
 
-/// A law of friction without a bound: the answers are those of frictionless scenes. No pair may have a tangential force.
+/// A friction law with zero bound: the answers are those of frictionless scenes. No pair may have a tangential force.
 TEUCHOS_UNIT_TEST(PlantedErrors, ATangentialForceWhereNothingRubs) {
   for (Scene scene : {looseBlock(), mortarBlock(), blockOnObstacle(), turned(looseBlock(), 0.5)}) {
     scene.constraints.laws = ContactLaws({std::make_shared<DryFriction>(Expression("0"), Expression("0"))});
@@ -262,7 +262,7 @@ TEUCHOS_UNIT_TEST(PlantedErrors, ATangentialForceWhereNothingRubs) {
   }
 }
 
-/// A weak pair of bodies beside a strong one: its own forces are the measure.
+/// A weak pair of bodies next to a strong one: its own forces are the scale.
 TEUCHOS_UNIT_TEST(PlantedErrors, AWeakBodysForceScaled) {
   for (const double weak : {1e-3, 1e-9})
     caught(
@@ -273,7 +273,7 @@ TEUCHOS_UNIT_TEST(PlantedErrors, AWeakBodysForceScaled) {
         },
         success, out, "2'");
 }
-/// A turn that was taken out of all bodies alike: one node that did not turn with its body is found, and a stretch.
+/// A rotation common to all bodies was taken out: one node that did not rotate with its body is found, and a stretch.
 TEUCHOS_UNIT_TEST(PlantedErrors, AMotionTakenOutThatIsNotRigid) {
   const double turn = 0.25;
   for (const int planted : {0, 1, 2}) {

@@ -38,7 +38,7 @@ double sign(int i) { return i % 2 == 0 ? 1.0 : -1.0; }
 
 TEUCHOS_UNIT_TEST(PressureOscillation, IsTheAmplitudeOfWhatAlternates) {
   TEST_FLOATING_EQUALITY(onLine(6, [](int i) { return 5.0 + 0.7 * sign(i); }), 0.7, 1e-14);
-  // On a straight slope, too, and whatever lies before or behind it.
+  // Also on a straight slope, with any values before or behind it.
   TEST_FLOATING_EQUALITY(onLine(9, [](int i) { return 5.0 + i + 0.7 * sign(i); }), 0.7, 1e-14);
   TEST_FLOATING_EQUALITY(onLine(30, [](int i) { return i < 10 || i > 20 ? 5.0 : 5.0 + 0.7 * sign(i); }), 0.7, 1e-14);
 }
@@ -48,7 +48,7 @@ TEUCHOS_UNIT_TEST(PressureOscillation, IsNoneOfSmoothPressuresPeaksAndJumps) {
       [](int) { return 3.0; },
       [](int i) { return std::sqrt(std::max(0.0, 100.0 - (i - 10.0) * (i - 10.0))); },  // Hertz
       [](int i) { return 1.0 / std::sqrt((i + 0.5) * (20.5 - i)); },                    // a flat punch
-      [](int i) { return 3.0 + std::sin(0.9 * i); },                                    // seven pairs a wave
+      [](int i) { return 3.0 + std::sin(0.9 * i); },                                    // seven pairs per wave
       [](int i) { return i == 10 ? 50.0 : 1.0; },
       [](int i) { return i < 10 ? 1.0 : 9.0; },
       [](int i) { return i == 10 || i == 13 ? 50.0 : 1.0; }};
@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(PressureOscillation, IsOfClosedNeighboursInOnePiece) {
   TEST_EQUALITY(found.size(), 4u);
   TEST_FLOATING_EQUALITY(found[2], 1.0, 1e-14);
   TEST_EQUALITY(found[0] + found[1] + found[3], 0.0);
-  TEST_EQUALITY(pressureOscillations(pairs, {line(0, 4), line(4, 4), line(8, 4)})[1], 0.0);  // four pairs are too few to tell
+  TEST_EQUALITY(pressureOscillations(pairs, {line(0, 4), line(4, 4), line(8, 4)})[1], 0.0);  // four pairs are too few to decide
   // A line has second differences at all but its ends, a ring everywhere.
   TEST_EQUALITY(pressureOscillations(pairs, {line(0, 5)})[0], 0.0);
   TEST_FLOATING_EQUALITY(pressureOscillations(pairs, {line(0, 4, true)})[0], 1.0, 1e-14);

@@ -1,4 +1,4 @@
-// Pressures on contact surfaces from forces that are integrated by hand.
+// Pressures on contact surfaces from forces integrated by hand.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/SideGeometry.hpp>
@@ -11,8 +11,8 @@
 namespace suture {
 namespace pressuresurfaces {
 
-/// The square [0, 1]^2 in a plane through the origin of space, n x n quadrilaterals or twice as many triangles. Nodes are numbered on a
-/// grid of (2 n + 1)^2 places.
+/// The square [0, 1]^2 in a plane through the origin in 3D, n x n quadrilaterals or twice as many triangles. Nodes are numbered on a grid
+/// of (2 n + 1)^2 positions.
 struct Sheet {
   int n, nodes;
   std::vector<ContactSide> sides;
@@ -137,7 +137,7 @@ TEUCHOS_UNIT_TEST(PressureSurfaces, HaveTheMultipliersFunctionsOfPairsAtMiddles)
     TEST_EQUALITY(field.size(), forces.size());
     for (const auto& [node, value] : field) TEST_FLOATING_EQUALITY(value, p(node), 1e-12);
 
-    // One closed pair at a vertex inside: p_h is its function, a fifth at the middles beside it.
+    // One closed pair at an inner vertex: p_h is its function, with a fifth at the adjacent middle nodes.
     const GlobalId vertex = 2 * 7 + 2;
     for (PairResult& pair : pairs)
       if (pair.node != vertex) pair.state = PairStatus::Open, pair.force = 0.0;
@@ -147,7 +147,7 @@ TEUCHOS_UNIT_TEST(PressureSurfaces, HaveTheMultipliersFunctionsOfPairsAtMiddles)
   }
 }
 
-/// Pairs at all nodes of the sides: forces are those of their own functions. 9 nodes by Simpson's rule in both directions.
+/// Pairs at all nodes of the sides: each force belongs to its node's function. 9 nodes by Simpson's rule in both directions.
 TEUCHOS_UNIT_TEST(PressureSurfaces, HaveTheFunctionsOfNinePairsOnASide) {
   const Sheet sheet(2, 9);
   const double q = 7.0;

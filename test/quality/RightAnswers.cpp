@@ -1,4 +1,4 @@
-// The verdict holds for right answers of every solver, however the scene is cut.
+// The verdict accepts right answers of every solver, for any partition.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/RecoveredPairs.hpp>
 #include <quality/Judged.hpp>
@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(RightAnswers, BalanceAppliedAndReactions) {
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, pressing, Teuchos::outArg(all));
   const Verification onGround = ground.verdict();
   TEST_COMPARE(all, >, 0.0);
-  TEST_COMPARE(std::abs(onGround.balance.reactions[1]), <, 1e-11 * all);  // the top takes the push of the ground
+  TEST_COMPARE(std::abs(onGround.balance.reactions[1]), <, 1e-11 * all);  // the top carries the push of the ground
   TEST_COMPARE(onGround.balance.imbalance, <, 1e-11);
 }
 
@@ -86,7 +86,7 @@ TEUCHOS_UNIT_TEST(RightAnswers, OfTheDecomposition) {
     }
 }
 
-/// Second order, nearly incompressible, of revolution.
+/// Second order, nearly incompressible, axisymmetric.
 TEUCHOS_UNIT_TEST(RightAnswers, OfOtherElements) {
   for (const bool axisymmetric : {false, true})
     for (const double poisson : {0.3, 0.4999}) {
@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(RightAnswers, OfOtherElements) {
       const Verification verdict = verify(*world(), {all.meshes, all.model, displacement, {}, {}, 1e-8});
       holds(verdict, success, out, false);
       TEST_COMPARE(verdict.balance.imbalance, <, 1e-10);
-      // the same answer to another modulus
+      // the same answer with another modulus
       Blocks other(scene, world(), 4, 1, false);
       other.model.materialOfBody[0].young *= 1.001;
       TEST_ASSERT(!verify(*world(), {other.meshes, other.model, displacement, {}, {}, 1e-8}).holds());

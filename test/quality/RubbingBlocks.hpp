@@ -1,15 +1,15 @@
 #pragma once
 #include <quality/SolidScenes.hpp>
 
-/// Answers with friction that are known by hand, in the plane and in space. Nothing is solved.
+/// Answers with friction that are known by hand, in 2D and 3D. Nothing is solved.
 namespace suture::solids {
 
-/// Effects of the sides of a contact on each other.
+/// Coupling between the sides of a contact.
 enum class Rubs { Slip, TrescaSlip, Stick, Glued, Guided };
 
-/// Two blocks on each other, or one on a rigid obstacle, of a material without Poisson's effect, pressed together and sheared by a traction
-/// along the joint: the stress is uniform, displacements are linear. Where the joint slips the upper block lies further along the
-/// traction. Glued and guided blocks are drawn apart; guided ones (No Separation) without shear, slid by a displacement.
+/// Two stacked blocks, or one on a rigid obstacle, of a material with zero Poisson's ratio, pressed together and sheared by a traction
+/// along the joint: the stress is uniform, displacements are linear. Where the joint slips the upper block lies further along the traction.
+/// Glued and guided blocks are pulled apart; guided ones (No Separation) without shear, slid by a displacement.
 struct RubbingBlocks {
   Rubs way;
   bool onObstacle;
@@ -29,14 +29,14 @@ struct RubbingBlocks {
   double pressure() const { return way == Rubs::Glued || way == Rubs::Guided ? -0.5 : 0.5; }
   double shear() const { return way == Rubs::Guided ? 0.0 : 0.13; }
   bool slides() const { return way != Rubs::Stick && way != Rubs::Glued; }
-  /// Force that side B feels of a unit area of the joint, Cartesian.
+  /// Force on side B per unit area of the joint, Cartesian.
   Point tangential() const { return frame * scaled(onObstacle ? shear() : -shear(), along); }
   int upper() const { return onObstacle ? 0 : 1; }
 
   Verification verdict() const;
-  /// change(displacement) at all nodes of the upper block, in the frame of the blocks.
+  /// Applies change(displacement) to all nodes of the upper block, in the frame of the blocks.
   void moveUpper(const std::function<void(Point& u)>& change);
-  /// The same motion, of the upper block as a whole, taken out of its displacements (SubdomainMesh::lift).
+  /// The same motion of the whole upper block, taken out of its displacements (SubdomainMesh::lift).
   void lift();
 
  private:

@@ -1,4 +1,4 @@
-// Places where the exact stress or pressure has no bound: corners and ends of contacts that are known by hand.
+// Places where the exact stress or pressure is unbounded: corners and ends of contacts known by hand.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/base/Point.hpp>
@@ -10,7 +10,7 @@
 namespace suture {
 namespace {
 
-/// Sides of a polygon whose corners run counter-clockwise, from `first` on numbered one after the other.
+/// Sides of a polygon with counter-clockwise corners, numbered consecutively from `first`.
 std::vector<BoundarySide> polygon(int body, GlobalId first, const std::vector<Point>& corners) {
   std::vector<BoundarySide> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(SingularPlaces, AreReentrantCornersAndEdges) {
   TEST_ASSERT(haveReentrantEdge(raised(polygon(0, 0, kAngle), 10), 3));
   TEST_ASSERT(!haveReentrantEdge(ring(8), 2));  // a round hole, coarsely
   TEST_ASSERT(haveReentrantEdge(ring(6), 2));
-  // Two bodies beside each other make no corner together.
+  // Two adjacent bodies form no corner together.
   std::vector<BoundarySide> both = polygon(0, 0, {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}});
   const std::vector<BoundarySide> on = polygon(1, 10, {{0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}});
   both.insert(both.end(), on.begin(), on.end());
@@ -82,7 +82,7 @@ TEUCHOS_UNIT_TEST(SingularPlaces, AreEndsOfSidesOnPartnersThatGoOn) {
     for (const bool carriedByBase : {false, true}) {
       TEST_ASSERT(endsThere(2.0, inSpace, carriedByBase));
       TEST_ASSERT(endsThere(1.2, inSpace, carriedByBase));
-      TEST_ASSERT(!endsThere(1.0, inSpace, carriedByBase));  // both end: two right angles make a straight edge
+      TEST_ASSERT(!endsThere(1.0, inSpace, carriedByBase));  // both end: two right angles form a straight edge
     }
 }
 
@@ -99,7 +99,7 @@ TEUCHOS_UNIT_TEST(SingularPlaces, AreNoCornersOfARoundBody) {
   TEST_ASSERT(!endsOnPartner(pair, sides, 2));
 }
 
-// The lower block ends at x = 0, the upper one goes on.
+// The lower block ends at x = 0, the upper one continues.
 TEUCHOS_UNIT_TEST(SingularPlaces, AreFoundAroundNodesOnAnyNumberOfRanks) {
   scenes::Scene scene = scenes::overhang();
   for (std::size_t i = 0; i < scene.constraints.pairs.size(); ++i) scene.constraints.pairs[i].id = int(i);
@@ -120,7 +120,7 @@ TEUCHOS_UNIT_TEST(SingularPlaces, AreFoundAroundNodesOnAnyNumberOfRanks) {
   const std::string end = "the end of a contact side on a partner that continues";
   for (const std::string& one : found) out << "found '" << one << "'\n";
   TEST_ASSERT(found == std::vector<std::string>({end, "", "", end, ""}));
-  // An open pair says nothing.
+  // An open pair is not considered.
   TEST_ASSERT(singularities(*blocks::world(), all.meshes, {{{}, inner}}, {}) == std::vector<std::string>({""}));
 }
 

@@ -1,4 +1,4 @@
-// The verdict on answers in space that are known by hand, in turned frames: it holds, and names what is planted.
+// The verdict on 3D answers known by hand, in rotated frames: it accepts them, and names planted errors.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/SolidScenes.hpp>
 #include <suture/base/Point.hpp>
@@ -12,7 +12,7 @@ namespace solidanswers {
 using solids::operator*;
 using solids::PressedBlocks;
 
-// Serendipity hexahedra have negative forces at the vertices of a face under uniform pressure: no answer of a contact.
+// Serendipity hexahedra have negative forces at the vertices of a face under uniform pressure: no possible contact answer.
 const std::vector<Cell> contactCells{Cell::Tetrahedron4, Cell::Tetrahedron10, Cell::Hexahedron8,
                                      Cell::Hexahedron27, Cell::Wedge6,        Cell::Pyramid5};
 
@@ -37,7 +37,7 @@ TEUCHOS_UNIT_TEST(SolidAnswers, HoldForEveryCellInAnyFrame) {
     }
 }
 
-/// Force and moment about the origin of a uniform traction on a square of size one: by its centre.
+/// Force and moment about the origin of a uniform traction on a unit square: by its centre.
 void agrees(const Resultant& sum, const Point& force, const Point& centre, bool& success, Teuchos::FancyOStream& out) {
   TEST_COMPARE(norm(minus(sum.force, force)), <, 1e-12);
   TEST_COMPARE(norm(minus(sum.moment, cross(centre, force))), <, 1e-11);
@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(SolidAnswers, BalanceForcesAndMomentsInThreeComponents) {
 
 using Plant = std::function<void(PressedBlocks&)>;
 
-/// Strains are of the order of 2.5e-3, and displacements, too.
+/// Strains are of the order of 2.5e-3, and so are displacements.
 const std::vector<std::pair<std::string, Plant>> plants{
     {"status", [](PressedBlocks& a) { a.move(1, [](const Point&, Point& u) { u[2] += 1e-7; }); }},
     {"penetration", [](PressedBlocks& a) { a.move(1, [](const Point&, Point& u) { u[2] -= 1e-7; }); }},
@@ -143,7 +143,7 @@ TEUCHOS_UNIT_TEST(SolidAnswers, FailByTheCheckThatSeesWhatIsPlanted) {
     }
 }
 
-/// A turn about any axis that was taken out of all bodies alike; then one node that did not turn with its body, and a stretch.
+/// A rotation about any axis common to all bodies was taken out; then one node that did not rotate with its body, and a stretch.
 TEUCHOS_UNIT_TEST(SolidAnswers, SeeAMotionTakenOutThatIsNotRigid) {
   const Point turn{0.2, -0.1, 0.3}, shift{1, 2, -3};
   for (const int planted : {0, 1, 2, 3, 4}) {
@@ -174,7 +174,7 @@ TEUCHOS_UNIT_TEST(Deformation, IsWhatRemainsOfTheBestRigidMotionInSpace) {
   scenes::Scene scene = solids::turned(solids::fromBoxes({solids::cube(Cell::Hexahedron8, 4, 2)}, 1.0, 0.3), frame, {7, 8, 9});
   const std::vector<SubdomainMesh> meshes = solids::distributed(scene);
   const Point centre = plus(frame * Point{0.5, 0.5, 0.5}, {7, 8, 9}), turn{0.02, -0.05, 0.03};
-  // Strains along the axes of the cube turn none of it on the average; its corners move most.
+  // Strains along the axes of the cube do not rotate it on average; its corners move most.
   const Point strain{1e-3, -2e-3, 5e-4};
   const auto displacement = solids::atNodes(meshes, [&](const Point& x) {
     const Point local = frame.transpose() * minus(x, centre);

@@ -1,4 +1,4 @@
-// Recovered stresses and estimated errors in space: exact where they must be, and close to the true error of Galerkin solutions.
+// Recovered 3D stresses and estimated errors: exact where they must be, and close to the true error of Galerkin solutions.
 #include <Eigen/SparseCholesky>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/SolidScenes.hpp>
@@ -28,7 +28,7 @@ struct Exact {
   }
 };
 
-/// The gradient of a harmonic function, exp(sqrt(2) x) cos(y) cos(z): no forces on the volume, whatever the material.
+/// The gradient of a harmonic function, exp(sqrt(2) x) cos(y) cos(z): no body forces for any material.
 Exact harmonic() {
   const double a = std::sqrt(2.0);
   return {
@@ -45,7 +45,7 @@ Exact harmonic() {
       }};
 }
 
-/// A field of the second order (or the first) with all of its terms.
+/// A second-order (or first-order) field with all its terms.
 Exact polynomial(int order) {
   const double c = order > 1 ? 1.0 : 0.0;
   return {[c](const Point& p) {
@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(SolidEstimates, RecoverLinearStressesOnDistortedMeshesOfTheSec
   for (const Cell cell : {Cell::Tetrahedron10, Cell::Hexahedron20, Cell::Hexahedron27})
     for (const int n : {2, 4}) {
       Mesh mesh = boxes({solids::cube(cell, n)});
-      // Serendipity functions have all polynomials of the second order on parallelepipeds only.
+      // Serendipity functions contain all second-order polynomials on parallelepipeds only.
       if (cell != Cell::Hexahedron20) solids::distort(mesh, 0.1 / n);
       for (int node = 0; node < mesh.nodes(); ++node) {
         double* x = &mesh.coordinates[3 * std::size_t(node)];
@@ -161,7 +161,7 @@ TEUCHOS_UNIT_TEST(SolidEstimates, RecoverLinearStressesOnDistortedMeshesOfTheSec
     }
 }
 
-/// The strains of interpolated fields of the second order are exact in the middle of a parallelepiped: the sampling point.
+/// The strains of interpolated second-order fields are exact in the middle of a parallelepiped: the sampling point.
 TEUCHOS_UNIT_TEST(SolidEstimates, RecoverLinearStressesFromHexahedraOfTheFirstOrder) {
   const Exact exact = polynomial(2);
   for (const int n : {2, 3, 5}) {
@@ -184,7 +184,7 @@ TEUCHOS_UNIT_TEST(SolidEstimates, ApproachTheTrueErrorOfEveryCell) {
             << estimated / truth << ", order " << (last > 0 ? std::log(last / truth) / std::log(n == 8 ? 2.0 : 5.0 / 3) : 0.0) << "\n";
         TEST_COMPARE(estimated / truth, >, 0.8);
         TEST_COMPARE(estimated / truth, <, 1.2);
-        // The middles of distorted wedges are no points of superconvergence.
+        // The middles of distorted wedges are not superconvergence points.
         if (last > 0) TEST_COMPARE(std::abs(estimated / truth - 1), <, cell == Cell::Wedge6 && isDistorted ? 0.15 : 0.1);
         last = truth;
       }
@@ -199,7 +199,7 @@ TEUCHOS_UNIT_TEST(SolidEstimates, DoNotDependOnTheCut) {
     const std::vector<PatchRecovery> one = recovered(whole.mesh, u);
     const Vector reference = one[0].errors().error.cwiseSqrt();
     const Matrix sums = one[0].nodalSums();
-    for (const int blocks : {2, 4}) {  // of a cell each: no patch whole
+    for (const int blocks : {2, 4}) {  // one cell each: no complete patch
       const scenes::Scene scene = solids::fromBoxes({solids::cube(cell, 4, blocks)}, kYoung, kPoisson);
       const auto meshes = solids::distributed(scene);
       const auto displacement = solids::atNodes(meshes, exact.displacement);

@@ -1,4 +1,4 @@
-// Fields in space of which everything is known: extremes, controlled loads, points, errors.
+// 3D fields known in closed form: extremes, controlled loads, points, errors.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/SolidScenes.hpp>
 #include <suture/base/Point.hpp>
@@ -19,7 +19,7 @@ const Eigen::Matrix3d kFrame = solids::rotation({1, 2, -0.5}, 0.9);
 const Point kOrigin{3, -2, 5};
 constexpr double kYoung = 10.0, kPoisson = 0.3;
 
-/// A cube in a turned frame, with the displacement of uniform strains (1e-3, -2e-3, 5e-4) along its axes: its principal stresses by hand.
+/// A cube in a rotated frame, with the displacement of uniform strains (1e-3, -2e-3, 5e-4) along its axes: its principal stresses by hand.
 struct StrainedCube {
   scenes::Scene scene;
   std::vector<SubdomainMesh> meshes;
@@ -77,7 +77,7 @@ TEUCHOS_UNIT_TEST(ControlledLoads, InSpaceMeasureMeansOfFacesAndSections) {
     // Over the face z = 1 of the cube: the mean of y is a half.
     TEST_FLOATING_EQUALITY(controlledValue(*solids::world(), cube.meshes, cube.scene.model, cube.displacement, mean),
                            0.6 * cube.strain[1] / 2 + 0.8 * cube.strain[2], 1e-11);
-    // Of a cube as large as the scene along its longest axis: E times that length.
+    // For a cube as large as the scene along its longest axis: E times that length.
     const double extent = (kFrame.cwiseAbs() * Eigen::Vector3d::Ones()).maxCoeff();
     TEST_FLOATING_EQUALITY(1.0 / controlledSlope(*solids::world(), cube.meshes, cube.scene.model, mean), kYoung * extent, 1e-12);
     Load section;

@@ -53,7 +53,7 @@ void distort(Mesh& mesh, double size, bool bend) {
   for (int node = 0; node < mesh.nodes(); ++node)
     if (!fixed[node] && (isVertex[node] || bend)) shift(node);
   if (bend) return;
-  for (int e = 0; e < mesh.elements(); ++e) {  // where the map of the vertices takes the other nodes
+  for (int e = 0; e < mesh.elements(); ++e) {  // images of the other nodes under the map of the vertices
     const CellInfo& cell = cellInfo(mesh.cells[e]);
     const Cell linear = cell.vertices == 4 ? Cell::Tetrahedron4 : Cell::Hexahedron8;
     const Span<const int> nodes = mesh.nodesOf(e);

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-/// Bodies in space with answers known by hand, for tests of what judges answers. Nothing is solved.
+/// 3D bodies with answers known by hand, for tests of the answer checks. Nothing is solved.
 namespace suture::solids {
 
 using scenes::Scene;
@@ -29,18 +29,19 @@ Point operator*(const Eigen::Matrix3d& matrix, const Point& p);
 Box cube(Cell cell, int n, int blocks = 1);
 Scene fromBoxes(const std::vector<Box>& boxes, double young, double poisson);
 
-/// Moves the nodes inside the boxes, middles of edges with them: straight edges stay straight. \param bend  moves middles on their own, too
+/// Moves the nodes inside the boxes together with the middles of edges: straight edges stay straight. \param bend  moves middle nodes
+/// independently, too
 void distort(Mesh& mesh, double size, bool bend = false);
 
-/// The whole scene under x -> R x + shift. Rules get the turned axes.
+/// The whole scene under x -> R x + shift. Rules get the rotated axes.
 Scene turned(Scene scene, const Eigen::Matrix3d& rotation, const Point& shift);
 
 std::vector<SubdomainMesh> distributed(const Scene& scene, const CommPtr& comm = world());
 std::vector<Vector> atNodes(const std::vector<SubdomainMesh>& meshes, const Field& field);
 Vector atNodes(const CellBlock& block, const Field& field);
 
-/// Two blocks on each other, [0, 1]^2 x [-1, 0] and [0, 1]^2 x [0, 1], pressed together by a pressure on top. Rollers on three sides: the
-/// stress is uniform, and displacements are linear.
+/// Two stacked blocks, [0, 1]^2 x [-1, 0] and [0, 1]^2 x [0, 1], pressed together by a pressure on top. Rollers on three sides: the stress
+/// is uniform, and displacements are linear.
 struct PressedBlocks {
   Scene scene;
   std::vector<SubdomainMesh> meshes;
@@ -55,7 +56,7 @@ struct PressedBlocks {
   PressedBlocks(Cell cell, const Eigen::Matrix3d& frame, const Point& origin);
 
   Verification verdict() const;
-  /// change(place in the frame of the blocks, displacement) at all nodes of a body.
+  /// Applies change(place in the frame of the blocks, displacement) to all nodes of a body.
   void move(int body, const std::function<void(const Point& place, Point& u)>& change);
 };
 

@@ -1,4 +1,4 @@
-// Needs SUTURE_GMSH. Geometries in space, meshed by Gmsh with every cell.
+// Needs SUTURE_GMSH. 3D geometries, meshed by Gmsh with every cell.
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
@@ -18,7 +18,7 @@ using meshtesting::problemsOf;
 
 namespace {
 
-// A block of 2 x 1 x 1 with all that a mesh needs.
+// A block of 2 x 1 x 1 with everything that a mesh needs.
 const std::string block =
     "SetFactory(\"OpenCASCADE\");\n"
     "DefineConstant[ W = 2 ];\n"
@@ -61,7 +61,7 @@ std::vector<Side> boundaryOf(const Mesh& mesh) {
   return all;
 }
 
-/// Largest distance of a node in the middle of an edge, or of a side, from the mean of the vertices there.
+/// Largest distance of a middle node of an edge or a side from the mean of the vertices there.
 double bow(const Mesh& mesh) {
   double most = 0;
   const auto look = [&](Span<const int> nodes, int middle, const auto& vertices, int count) {
@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(GmshInSpace, ReadsEveryCell) {
   for (const auto& [text, cell] : all) {
     Mesh mesh = readGmsh({folder.write("a.geo", text), {}, 1.0});
     TEST_EQUALITY(mesh.dimension, 3);
-    assignBodies(mesh, {"body"});  // all elements positive, middles where they belong
+    assignBodies(mesh, {"body"});  // all elements positive, middle nodes in place
     TEST_EQUALITY(static_cast<std::ptrdiff_t>(mesh.elements()), std::count(mesh.cells.begin(), mesh.cells.end(), cell));
     TEST_FLOATING_EQUALITY(volume(mesh), 2.0, 1e-12);
     TEST_COMPARE(bow(mesh), <, 1e-12);
@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(GmshInSpace, ReadsEveryCell) {
   }
 }
 
-// A block of hexahedra, and tetrahedra on top of it: Gmsh lays pyramids between.
+// A block of hexahedra with tetrahedra on top: Gmsh puts pyramids between them.
 TEUCHOS_UNIT_TEST(GmshInSpace, ReadsAMeshOfSeveralCells) {
   const Folder folder;
   const std::string text =
@@ -128,7 +128,7 @@ TEUCHOS_UNIT_TEST(GmshInSpace, ReadsAMeshOfSeveralCells) {
   for (const char* end : {"bottom", "top"}) TEST_FLOATING_EQUALITY(area(mesh, mesh.sideGroups.at(end)), 1.0, 1e-12);
 }
 
-// From element to element it is little more than the size of one, on average: 0.8 of it.
+// Consecutive elements are on average little more than one element size apart: 0.8 of it.
 TEUCHOS_UNIT_TEST(GmshInSpace, NumbersWhatItMeshesAlongACurve) {
   const Folder folder;
   const Mesh mesh = readGmsh({folder.write("a.geo", block), {}, 0.3});
@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(GmshInSpace, NumbersWhatItMeshesAlongACurve) {
   TEST_COMPARE(steps / mesh.elements(), <, 1.0);
 }
 
-// A ball: with straight sides its surface is too small by h^2, with curved ones by h^4.
+// A ball: with straight sides its surface is too small by O(h^2), with curved ones by O(h^4).
 TEUCHOS_UNIT_TEST(GmshInSpace, ReadsCurvedElements) {
   const Folder folder;
   const double exact = 16 * std::acos(-1.0);

@@ -16,7 +16,7 @@ namespace {
 
 const std::string tunnel = SUTURE_SOURCE_DIR "/input/tunnel/tunnel.geo";
 
-// A rectangle of W x 1 with all that a mesh needs.
+// A rectangle of W x 1 with everything that a mesh needs.
 const std::string rectangle =
     "SetFactory(\"OpenCASCADE\");\n"
     "DefineConstant[ W = {2, Min 1, Name \"Width\"}, /* unused = {1}, */ H = 1 ]; // DefineConstant[ not = {1} ]\n"
@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(GmshReader, ReadsTheTunnelWithItsKnownCounts) {
       TEST_FLOATING_EQUALITY(std::hypot(mesh.point(node)[0] - 60, mesh.point(node)[1] - 39.5), 6.0, 1e-9);
 }
 
-// From element to element it is less than the size of one, on average: 0.7 of it. 10.5 times in the order of Gmsh.
+// Consecutive elements are on average less than one element size apart: 0.7 of it. 10.5 times in the order of Gmsh.
 TEUCHOS_UNIT_TEST(GmshReader, NumbersWhatItMeshesAlongACurve) {
   const Mesh mesh = readGmsh({tunnel, {}, 1.0});
   double steps = 0;
@@ -134,7 +134,7 @@ TEUCHOS_UNIT_TEST(GmshReader, ReadsEveryCell) {
       {quadrilaterals + "Mesh.ElementOrder = 2;\n", Cell::Quadrilateral9}};
   for (const auto& [options, cell] : all) {
     Mesh mesh = readGmsh({folder.write("a.geo", rectangle + options), {}, 1.0});
-    assignBodies(mesh, {"body"});  // all elements positive, mid-side nodes where they belong
+    assignBodies(mesh, {"body"});  // all elements positive, mid-side nodes in place
     for (const Cell found : mesh.cells) TEST_ASSERT(found == cell);
     TEST_FLOATING_EQUALITY(areaOf(mesh), 2.0, 1e-12);
     double length = 0;
@@ -185,7 +185,7 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesAGeometryWithoutSurface) {
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), "contains no surface elements");
 }
 
-// Statements that do more than describe a mesh, each in the way that a file might hide it.
+// Statements that do more than describe a mesh, each in the ways that a file might hide it.
 TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatHasNoBusinessInAGeometry) {
   const Folder folder;
   const std::string mark = folder.path() + "/mark";
@@ -225,7 +225,7 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatHasNoBusinessInAGeometry) {
     SUTURE_CHECK_SAYS(said, complaint);
     TEST_ASSERT(!std::filesystem::exists(mark));
   }
-  // Gmsh runs a file as a .geo file unless it begins as a mesh, whatever its name.
+  // Gmsh runs a file as a .geo file unless it begins like a mesh, regardless of its name.
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({folder.path() + "/text.msh", {}, 1.0}); }), "is not a Gmsh mesh; expected $MeshFormat");
   TEST_ASSERT(!std::filesystem::exists(mark));
 }
@@ -244,7 +244,7 @@ TEUCHOS_UNIT_TEST(GmshReader, LetsHarmlessStatementsPass) {
   TEST_COMPARE(readGmsh({path, {}, 1.0}).elements(), >, 8);
 }
 
-// With leave, they run; without a result or a word, the reader complains all the same.
+// If permitted, they run; without a result or a message, the reader still reports an error.
 TEUCHOS_UNIT_TEST(GmshReader, TakesTheSilenceOfTheMesherForAnError) {
   const Folder folder;
   const std::string mark = folder.path() + "/mark";

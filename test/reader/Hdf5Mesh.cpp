@@ -18,7 +18,7 @@ using meshtesting::world;
 
 namespace {
 
-// Two bodies of different cells, with places that no decimal form would keep; on rank 0.
+// Two bodies of different cells, with coordinates that no decimal form would preserve; on rank 0.
 Mesh sample() {
   Mesh mesh;
   if (world()->getRank() != 0) return mesh;
@@ -36,7 +36,7 @@ Mesh sample() {
   return mesh;
 }
 
-/// A box of each cell in space.
+/// A box meshed with each 3D cell.
 Mesh sampleInSpace() {
   Mesh mesh;
   if (world()->getRank() != 0) return mesh;
@@ -59,7 +59,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-// A sound file but for what `change` does to the mesh; what the reader says about it.
+// Message of the reader for a file that is sound except for the change that `change` makes to the mesh.
 std::string saidAbout(const std::function<void(Mesh&)>& change) {
   const Folder folder;
   Mesh mesh = sample();
@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesSizesThatContradictEachOther) {
 
 TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesSidesInsideTheMaterial) {
   SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) {
-                      // each side of the box' middle element but its lower one lies inside
+                      // each side of the box' middle element except its lower one is interior
                       mesh.sideGroups["upper_top"][0].side = 1;
                     }),
                     "group 'upper_top': side 1 of element");

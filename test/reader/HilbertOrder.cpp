@@ -29,7 +29,8 @@ int nodesInCommon(const Mesh& mesh, int e, int f) {
   return static_cast<int>(std::count_if(b.begin(), b.end(), [&](int node) { return of.count(node) > 0; }));
 }
 
-// Content of a mesh, whatever its numbers: the elements of each group by the places of their nodes, and the middles of the sides.
+// Content of a mesh, independent of its numbers: the elements of each group by the coordinates of their nodes, and the middles of the
+// sides.
 using Places = std::multiset<std::vector<double>>;
 
 std::vector<double> placesOf(const Mesh& mesh, int e) {
@@ -56,7 +57,7 @@ std::map<std::string, Places> contents(const Mesh& mesh) {
 
 }  // namespace
 
-// The curve goes from each square of 2^n x 2^n to one beside it, from the lower left corner to the lower right one.
+// The curve goes from each square of 2^n x 2^n to an adjacent one, from the lower left corner to the lower right one.
 TEUCHOS_UNIT_TEST(HilbertOrder, GoesFromSquareToSquareAcrossASide) {
   const int cells = 32;
   Mesh mesh = grid(cells, Cell::Quadrilateral4);
@@ -71,7 +72,7 @@ TEUCHOS_UNIT_TEST(HilbertOrder, GoesFromSquareToSquareAcrossASide) {
   TEST_FLOATING_EQUALITY(end[1], first, 1e-14);
 }
 
-// From the origin to the far end of the x axis; and each run of 8^n elements, wherever it lies in the order, fills a cube in space.
+// The curve runs from the origin to the far end of the x axis, and each run of 8^n elements, anywhere in the order, fills a cube.
 TEUCHOS_UNIT_TEST(HilbertOrder, GoesFromCubeToCubeAcrossASide) {
   const int cells = 16;
   Mesh mesh = grid(cells, Cell::Hexahedron8);
@@ -117,7 +118,7 @@ TEUCHOS_UNIT_TEST(HilbertOrder, KeepsElementsGroupsAndSides) {
   }
 }
 
-// A node of no element is for assignBodies() to complain about, at its place.
+// Nodes without elements are left for assignBodies() to report, with their coordinates.
 TEUCHOS_UNIT_TEST(HilbertOrder, KeepsNodesOfNoElement) {
   Mesh mesh = grid(4, Cell::Triangle3);
   mesh.coordinates.insert(mesh.coordinates.begin(), {7, 8});

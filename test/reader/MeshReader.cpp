@@ -12,7 +12,7 @@ using meshtesting::world;
 
 namespace {
 
-// Message of reading, which must be the same on all ranks (and must come to an end).
+// Error message of reading, which must be the same on all ranks (and must not hang).
 std::string said(const std::string& parameters, const std::string& folder) {
   const std::string text = meshtesting::problemsOf([&] { meshtesting::read(parameters, folder); });
   return meshtesting::sameEverywhere(text) ? text : "different messages";

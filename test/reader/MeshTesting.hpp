@@ -21,13 +21,13 @@ namespace meshtesting {
 
 inline Teuchos::RCP<const suture::Comm> world() { return Tpetra::getDefaultComm(); }
 
-/// A folder of its own for the files of one test, the same on all ranks; removed at the end.
+/// A temporary folder for the files of one test, the same on all ranks; removed at the end.
 class Folder {
  public:
   Folder();
   ~Folder();
   const std::string& path() const { return path_; }
-  /// Writes a file on rank 0; its path.
+  /// Writes a file on rank 0; returns its path.
   std::string write(const std::string& name, const std::string& text) const;
 
  private:
@@ -41,7 +41,7 @@ suture::Mesh read(const std::string& parameters, const std::string& folder);
 
 inline std::string fileParameter(const std::string& name) { return "<Parameter name=\"File\" type=\"string\" value=\"" + name + "\"/>"; }
 
-/// All problems of the InputError that `work` throws, one a line as "path: message"; "no error" if it throws none.
+/// All problems of the InputError that `work` throws, one per line as "path: message"; "no error" if it throws none.
 template <typename Work>
 std::string problemsOf(Work work) {
   try {
@@ -56,7 +56,7 @@ std::string problemsOf(Work work) {
 
 using texts::contains;
 
-/// The same text on all ranks?
+/// True if all ranks have the same text.
 bool sameEverywhere(const std::string& text);
 
 }  // namespace meshtesting

@@ -37,8 +37,7 @@ const char* const kinds[] = {"point ", "curve ", "surface ", "volume "};
 using Tags = std::vector<std::size_t>;
 using PlaceOf = std::map<std::size_t, Point>;  // by tag
 
-/// Nodes of an element with straight sides in the order of its cell: vertices first, then each where the vertices around it have their
-/// mean.
+/// Nodes of an element with straight sides in the order of its cell: vertices first, then each node at the mean of its vertices.
 Tags ordered(Cell cell, Tags nodes, const PlaceOf& placeOf) {
   const CellInfo& info = cellInfo(cell);
   std::vector<std::vector<int>> around;
@@ -114,7 +113,7 @@ Mesh reference(const std::string& path) {
     for (const int entity : ofGroup) {
       int parentDimension = 0, parent = 0;
       gmsh::model::getParent(dimension, std::abs(entity), parentDimension, parent);
-      if (parentDimension > dimension) continue;  // what lies between two parts of an entity has the numbers of the groups of that
+      if (parentDimension > dimension) continue;  // an interface between two parts of an entity has the entity's group numbers
       if (dimension == mesh.dimension) {
         members.insert(elementsOf[entity].begin(), elementsOf[entity].end());
         continue;
@@ -148,7 +147,7 @@ void addGroup(int dimension, const std::vector<int>& tags, int number, const std
   if (!name.empty()) gmsh::model::setPhysicalName(dimension, number, name);
 }
 
-// Two rectangles that share no node, the second behind the first in a group of its own, with named and unnamed groups.
+// Two rectangles that share no node, the second behind the first in a separate group, with named and unnamed groups.
 void makeModel(bool recombine, int order, bool incomplete) {
   gmsh::clear();
   gmsh::option::setNumber("Mesh.MeshSizeMax", 0.21);
@@ -166,7 +165,7 @@ void makeModel(bool recombine, int order, bool incomplete) {
   addGroup(1, {2, 4}, 4, "sides");
   addGroup(1, {4}, 3, "");
   addGroup(0, {1}, 1, "corner");
-  if (recombine) gmsh::model::mesh::setRecombine(2, 5);  // some triangles remain, and the other surface has only them
+  if (recombine) gmsh::model::mesh::setRecombine(2, 5);  // some triangles remain, and the other surface has only triangles
   gmsh::model::mesh::generate(2);
 }
 
@@ -203,7 +202,7 @@ void makeModelInSpace(bool prisms, int order, bool incomplete) {
   gmsh::model::mesh::generate(3);
 }
 
-/// Writes the model as the options say, and reads it back twice.
+/// Writes the model with the options, and reads it back twice.
 void compare(const std::string& path, bool partitioned, Teuchos::FancyOStream& out, bool& success) {
   if (partitioned) {
     gmsh::option::setNumber("Mesh.PartitionCreatePhysicals", 0);

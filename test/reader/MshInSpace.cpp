@@ -1,5 +1,4 @@
-// Meshes in space from .msh files without libgmsh: one element of every type with all of its sides, drawn by hand in every form of the
-// format.
+// 3D meshes from .msh files without libgmsh: one element of every type with all its sides, written by hand in every form of the format.
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
 #include <suture/reader/gmsh/GmshReader.hpp>
@@ -18,9 +17,9 @@ using meshtesting::problemsOf;
 
 namespace {
 
-using Tuples = std::vector<std::vector<int>>;  // vertices whose middle a node is
+using Tuples = std::vector<std::vector<int>>;  // vertices whose midpoint the node is
 
-/// A type of Gmsh's elements: its vertices, then the nodes between them, as section 9.2 of Gmsh's manual draws them.
+/// An element type of Gmsh: its vertices, then the nodes between them, as in the drawings of section 9.2 of Gmsh's manual.
 struct Drawn {
   Cell cell;
   int type;
@@ -47,13 +46,13 @@ std::vector<Drawn> types() {
           {Cell::Hexahedron20, 17, nodes(8, {cubeEdges})}};
 }
 
-/// Elements of a file: type, physical group (which is the entity, too), nodes from 1.
+/// Elements of a file: type, physical group (also the entity), nodes from 1.
 struct Element {
   int dimension, type, group;
   std::vector<int> nodes;
 };
 
-/// A mesh for a file, and what Suture is to make of it.
+/// A mesh for a file, and the result that Suture must read.
 struct Sample {
   std::vector<Point> places;
   std::vector<Element> elements;
@@ -66,7 +65,7 @@ int nodeAt(const std::vector<Point>& places, const Point& place) {
   return -1;
 }
 
-/// One element of each type, which share no nodes, in the group 1; their sides in the group 2, in any order and orientation. Nodes have the
+/// One element of each type, without common nodes, in the group 1; their sides in the group 2, in any order and orientation. Nodes have the
 /// numbers that they have in Suture. \param mirrored  the whole mesh, with its elements inside out
 Sample everyType(bool mirrored = false) {
   Sample sample;
@@ -203,7 +202,7 @@ std::string saidAbout(const Sample& sample) {
   return problemsOf([&] { readAs(sample); });
 }
 
-/// Two tetrahedra at the triangle 1 2 3, one at either side.
+/// Two tetrahedra at the triangle 1 2 3, one on each side.
 Sample twoTetrahedra(const std::vector<Element>& more = {}) {
   Sample sample;
   sample.places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -251,7 +250,7 @@ TEUCHOS_UNIT_TEST(MshInSpace, PutsMiddlesBetweenTheVerticesOfTheirEdges) {
 TEUCHOS_UNIT_TEST(MshInSpace, TurnsAVolumeRoundThatIsMeshedInsideOut) {
   const Sample mirrored = everyType(true);
   Mesh mesh = readAs(mirrored);
-  assignBodies(mesh, {"body"});  // all elements positive, middles where they belong
+  assignBodies(mesh, {"body"});  // all elements positive, middle nodes in place
   TEST_COMPARE_ARRAYS(mesh.coordinates, mirrored.expected.coordinates);
   const SideTable table(mesh, std::vector<char>(mesh.nodes(), 1));
   TEST_EQUALITY(mesh.sideGroups.at("skin").size(), everyType().expected.sideGroups.at("skin").size());
@@ -286,7 +285,7 @@ TEUCHOS_UNIT_TEST(MshInSpace, RefusesSurfacesInsideTheMaterialAndOffIt) {
   Sample beside = twoTetrahedra({{2, 2, 2, {1, 2, 6}}});
   beside.places.push_back({0, 0, 9});
   SUTURE_CHECK_SAYS(saidAbout(beside), "are not sides of any volume element (the first at (0.333333, 0, 3))");
-  // The key of a quadrilateral is made of three of its vertices: a triangle at these is another side.
+  // The key of a quadrilateral consists of three of its vertices: a triangle at these is another side.
   Sample cube;
   for (const Point& p : referencecells::places(Cell::Hexahedron8)) cube.places.push_back(p);
   cube.elements = {{3, 5, 1, {1, 2, 3, 4, 5, 6, 7, 8}}, {2, 2, 2, {1, 2, 3}}};

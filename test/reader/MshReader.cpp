@@ -1,4 +1,4 @@
-// The reader of .msh files works without libgmsh; test/mesh/MshAgainstGmsh.cpp compares it with libgmsh's own.
+// The reader of .msh files without libgmsh; test/mesh/MshAgainstGmsh.cpp compares it with libgmsh's own.
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/reader/gmsh/GmshReader.hpp>
 
@@ -25,7 +25,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text.replace(at, old.size(), by);
 }
 
-// The unit square of two triangles in version 4.1: surface 1 is of two groups, one without a name; nodes have sparse tags.
+// The unit square of two triangles in version 4.1: surface 1 is in two groups, one without a name; nodes have sparse tags.
 const std::string square41 =
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
     "$PhysicalNames\n2\n2 1 \"body\"\n1 3 \"bottom edge\"\n$EndPhysicalNames\n"
@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
                     "curve group 'odd': 1 of its elements are not sides of any surface element (the first at (0.5, 0.5))");
 }
 
-// Found by the fuzzer: the table of sides was asked for a node that it does not have.
+// Found by the fuzzer: the table of sides was queried for a node that it does not contain.
 TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesAtNodesOfNoElement) {
   const Folder folder;
   const std::string nodes = squareFile + "5 2 0 0\n6 4 0 0\n", triangleLines = "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n";
@@ -233,7 +233,7 @@ TEUCHOS_UNIT_TEST(MshReader, TellsWhereABinaryFileIsWrong) {
   SUTURE_CHECK_SAYS(
       said(replaced(sound, bytes(std::size_t(3), std::size_t(3), std::size_t(4)), bytes(std::size_t(3), std::size_t(9), std::size_t(4)))),
       "$Elements, byte " + std::to_string(element + 10 + 32 + 20 + 24 + 20 + 24 + 20 + 16) + ": element 3 has node 9");
-  // Every truncated file is refused with a place.
+  // Every truncated file is refused, with the place of the error.
   for (std::size_t length = sound.find("$Entities"); length + 12 < sound.size(); length += 5) {
     const std::string complaint = said(sound.substr(0, length));
     TEST_ASSERT(complaint.find("a.msh: ") != std::string::npos);
@@ -275,7 +275,7 @@ TEUCHOS_UNIT_TEST(MshReader, ReadsRealsToTheLastBit) {
   for (std::size_t i = 0; i < numbers.size(); ++i) TEST_EQUALITY(mesh.coordinates[2 * i], std::strtod(numbers[i].c_str(), nullptr));
 }
 
-// Seconds depend on the machine and the hour: the reader against a stream that hands over every byte of the same file. The ratio is
+// Seconds depend on the machine and its load: the reader is compared with a stream that reads every byte of the same file. The ratio is
 // about 1. 300.
 TEUCHOS_UNIT_TEST(MshReader, TakesFewTimesALookAtEveryByte) {
   constexpr int n = 250;

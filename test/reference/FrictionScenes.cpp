@@ -85,8 +85,9 @@ Scene pushedBlock(int n) {
   return scene;
 }
 
-// V19: values of a program of its own (RESEARCH.md, B.2), which condensed the same mesh and took the fixed point of Tresca problems. Its
-// count of pairs that stick has up to three more: it ends at 1e-8 and counts what is 1e-9 below the bound, as some that slip still are.
+// V19: values of an independent program (RESEARCH.md, B.2), which condensed the same mesh and iterated Tresca problems to a fixed point. It
+// counts up to three more sticking pairs: it ends at 1e-8 and counts pairs 1e-9 below the bound as sticking, as some slipping pairs still
+// are.
 TEUCHOS_UNIT_TEST(FrictionScenes, PushesABlockOverAPlane) {
   struct Row {
     int n;
@@ -276,7 +277,7 @@ TEUCHOS_UNIT_TEST(FrictionScenes, FrictionAloneHoldsABlockOnAnIncline) {
   }
 }
 
-/// Block on a plane in space, its top moved down, tilted and along, everything turned about the normal.
+/// 3D block on a rigid plane, its top moved down, tilted and sideways, everything rotated about the normal.
 Scene turnedBlock(double angle, std::vector<int>* nodes = nullptr) {
   Box box;
   box.x1 = 2;
@@ -341,8 +342,8 @@ TEUCHOS_UNIT_TEST(FrictionScenes, ASecondStepGoesOnFromTheSlipOfTheFirst) {
     TEST_COMPARE(norm(minus(first.forces[p].tangential, second.forces[p].tangential)), <, 1e-10);
 }
 
-/// Two blocks of unit height in uniform pressure and shear, nu = 0: of so many cells along each, in the plane or in space. The upper top is
-/// moved so that the line between them slips by `slip`, under a shear stress that Hooke's law gives for `shear`.
+/// Two blocks of unit height in uniform pressure and shear, nu = 0, with the given number of cells along each, in 2D or 3D. The upper top
+/// is moved so that the line between them slips by `slip`, under the shear stress that Hooke's law gives for `shear`.
 struct Patch {
   static constexpr double young = 2e6, shear = 1e-2, along = 0.6, across = 0.8;
   Scene scene;

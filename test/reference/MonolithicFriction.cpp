@@ -149,7 +149,7 @@ ContactSolution solved(const CondensedContact& problem, FrictionWay way = Fricti
       problem, {}, 1000, [](const ActiveSetStep&) {}, way);
 }
 
-/// True if forces inside the cones of Coulomb's laws balance the loads of a loose body: rigid bodies alone say so.
+/// True if forces inside the cones of Coulomb's laws balance the loads of a loose body; rigid-body statics decides.
 bool canHold(const CondensedContact& problem) {
   constexpr int edges = 64;
   std::vector<Vector> generators;
@@ -178,7 +178,7 @@ bool canHold(const CondensedContact& problem) {
   return (all * nonnegativeLeastSquares(all, work) - work).norm() < 1e-10 * work.norm();
 }
 
-/// Solutions in the plane by trying every combination of states (open, stuck, slipping either way): linear equations each.
+/// 2D solutions by trying every combination of states (open, stuck, slipping either way): linear equations each.
 std::vector<Vector> enumeratedForces(const CondensedContact& problem) {
   const int n = int(problem.load.size()), rows = int(problem.bounds.size()), m = int(problem.pairs.size());
   Matrix c = Matrix::Zero(rows, n);
@@ -322,7 +322,7 @@ TEUCHOS_UNIT_TEST(MonolithicFriction, StatesToStartFromLeadToTheSameSolution) {
         solveFriction(given.problem, std::vector<ContactState>(5, PairStatus::Stick), 100, [](const ActiveSetStep&) {});
     TEST_COMPARE((warm.force - cold.force).norm(), <, 1e-9 * (1.0 + cold.force.norm()));
     TEST_COMPARE((other.force - cold.force).norm(), <, 1e-9 * (1.0 + cold.force.norm()));
-    if (given.problem.pairs.front().rows == 2) TEST_COMPARE(steps, <=, 1);  // in the plane the states are linear equations
+    if (given.problem.pairs.front().rows == 2) TEST_COMPARE(steps, <=, 1);  // in 2D the states are linear equations
   }
 }
 

@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(Checkpoint, KeepsDirectionsAndBoundsOfPairsThatSlide) {
   comesBack(sample, "sliding.h5", true, success, out);
 }
 
-/// A file as it was written before laws had a slope: four numbers a pair.
+/// A file as written before laws had a slope: four numbers per pair.
 TEUCHOS_UNIT_TEST(Checkpoint, ReadsFilesWithoutTheSlopeOfTheLaw) {
   sample::SampleRun sample(sample::folderOf("checkpoint_old"));
   prepareFolder(*sample.comm_, sample.folder_);

@@ -189,7 +189,7 @@ TEUCHOS_UNIT_TEST(Summary, SumsUpFrictionWhereThereIsSome) {
   TEST_FLOATING_EQUALITY(all["reactions"]["contacts"]["joint"]["moment"][0].get<double>(), 1.5 - 1.4, 1e-13);  // at the height 1
 }
 
-// A linear field: all stresses are Hooke's, and the first node is told.
+// A linear field: all stresses follow Hooke's law, and the first node is reported.
 TEUCHOS_UNIT_TEST(Summary, TellsTheExtremesAndTheirPlaces) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);

@@ -51,12 +51,12 @@ TEUCHOS_UNIT_TEST(Answers, OfUniformTensionAreExact) {
     const double across = poisson * pull;  // plane strain
     TEST_FLOATING_EQUALITY(found.vonMises.value, std::sqrt(pull * pull + across * across - pull * across), 1e-9);
     TEST_FLOATING_EQUALITY(found.tension.value, pull, 1e-9);
-    TEST_EQUALITY(found.compression.value, 0.0);  // but for rounding, which has no place
+    TEST_EQUALITY(found.compression.value, 0.0);  // zero up to round-off, which has no place
     TEST_ASSERT(!found.compression.exists());
     const double ux = (1 - poisson * poisson) * pull / young * 2, uy = poisson * (1 + poisson) * pull / young;
     TEST_FLOATING_EQUALITY(found.displacement.value, std::hypot(ux, uy), 1e-9);
     TEST_EQUALITY(distance(found.displacement.place, {2, 1, 0}), 0.0);
-    // All places have the same stress: the first node or element is told, on any number of ranks.
+    // The stress is uniform: the first node or element is reported, on any number of ranks.
     TEST_EQUALITY(found.vonMises.id, 0);
     TEST_EQUALITY(found.vonMises.body, 0);
     const Reactions& reactions = simulation.solution().verification.reactions;
@@ -172,7 +172,7 @@ TEUCHOS_UNIT_TEST(Answers, OfAnObstacleSumToNothing) {
     for (const json& component : reactions["sum"][part]) TEST_COMPARE(std::abs(component.get<double>()), <, 1e-7 * 2e4);
   const json& pressure = all["extremes"]["pressure"];
   TEST_FLOATING_EQUALITY(pressure["value"].get<double>(), 1e4, 1e-8);
-  TEST_EQUALITY(pressure["place"], json::array({0.0, 0.0}));  // all pressures are equal: the first pair is told
+  TEST_EQUALITY(pressure["place"], json::array({0.0, 0.0}));  // all pressures are equal: the first pair is reported
   std::ifstream table(folder + "/contact.csv"), sums(folder + "/reactions.csv");
   std::string line;
   int lines = 0;

@@ -1,4 +1,4 @@
-// Scenes that another program loads, against the same scenes with conditions of their own and against what is known of them.
+// Scenes loaded by another program, against the same scenes with conditions in the scene file and against known results.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
@@ -298,7 +298,7 @@ Scene rubbingScene(const std::vector<std::string>& settings = {}) {
   return sceneOf(parseScene(rubbing, "rubbing blocks", sceneSchema(), settings));
 }
 
-// Pushed, and released: slip stays behind if the push was a step of its own, and does not if it was a trial of the same step.
+// Pushed, and released: slip remains if the push was a separate step, and does not if it was a trial of the same step.
 TEUCHOS_UNIT_TEST(Coupling, WithFrictionAdvanceEndsAStep) {
   const std::string push = "Boundary Conditions/push/Value=";
   Simulation path(blocks::world(), rubbingScene({push + "{1000}", "Load Steps/Times={1, 2, 3}", "Load Steps/Factors/push={0, 6.5, 1}",

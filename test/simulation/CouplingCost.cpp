@@ -1,4 +1,4 @@
-// What a solve of a coupled scene costs beside the first one: everything that is factored stays. By processor time of one rank, on which
+// Cost of repeated solves of a coupled scene relative to the first: all factors are kept. Measured by processor time of one rank, on which
 // other programs on the machine have little influence.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>

@@ -54,7 +54,7 @@ std::vector<std::string> with(std::vector<std::string> settings, const std::vect
   return settings;
 }
 
-/// A run in a folder of its own, quiet.
+/// A quiet run in a separate folder.
 struct Path {
   Simulation simulation;
   explicit Path(const std::vector<std::string>& settings) : simulation(blocks::world(), sceneWith(settings)) {}
@@ -112,7 +112,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, AStepWithFrictionIsTheSceneOfOneStep) {
   TEST_COMPARE(distanceBetween(path, alone), <, 1e-9);
 }
 
-// Pressed, pushed and pushed back: by the interface and by the reference, which keep histories in ways of their own.
+// Pressed, pushed and pushed back: by the interface and by the reference, which keep histories in different ways.
 TEUCHOS_UNIT_TEST(LoadSteps, APathWithFrictionIsTheReferencesPath) {
   const std::vector<std::string> back =
       with(rubs, {"Load Steps/Times={1, 2, 3, 4}", "Load Steps/Factors/press=min(t, 1)", "Load Steps/Factors/push={0, 1, 0.3, -0.5}",

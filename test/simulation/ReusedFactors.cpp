@@ -121,7 +121,7 @@ TEUCHOS_UNIT_TEST(ReusedFactors, ACoupledSceneFactorsOnce) {
     TEST_COMPARE(over(reloaded), >=, solves - 1);  // subdomains whose loads changed
     TEST_COMPARE(over(reloaded), <, (solves - 1) * 6);
     TEST_COMPARE(first, >=, 1);
-    TEST_EQUALITY(preconditioned, first);  // as many as the sets of the first solve asked for: none of the others changed them
+    TEST_EQUALITY(preconditioned, first);  // as many as the sets of the first solve needed: the other solves did not change them
   }
 }
 

@@ -14,7 +14,7 @@ TEUCHOS_UNIT_TEST(NeutralMotions, FindTheLeastVectorInAPolyhedron) {
     return leastDistance(a, Eigen::Map<const Vector>(b.begin(), static_cast<Eigen::Index>(b.size())));
   };
   TEST_COMPARE((least(rows({{1, 1}}), {1}) - Vector::Constant(2, 0.5)).norm(), <, 1e-14);                  // foot of the perpendicular
-  TEST_COMPARE((least(rows({{1, 1}, {1, 0}}), {1, 2}) - 2 * Vector::Unit(2, 0)).norm(), <, 1e-14);         // the second alone counts
+  TEST_COMPARE((least(rows({{1, 1}, {1, 0}}), {1, 2}) - 2 * Vector::Unit(2, 0)).norm(), <, 1e-14);         // only the second counts
   TEST_COMPARE((least(rows({{1, 1}, {1, 0}}), {3, 2}) - Vector(Eigen::Vector2d(2, 1))).norm(), <, 1e-13);  // a corner
   TEST_COMPARE((least(rows({{1, 1}}), {-1})).norm(), <, 1e-300);                                           // zero is in it
   TEST_COMPARE((least(rows({{1, 1}, {1, 0}}), {3e9, 2e9}) - 1e9 * Vector(Eigen::Vector2d(2, 1))).norm(), <, 1e-3);

@@ -6,7 +6,7 @@ namespace {
 
 using namespace suture;
 
-/// A bar on `count` equal supports in a row: the two sums, of forces and of moments, are all that is determined.
+/// A bar on `count` equal supports in a row: only the two sums, of forces and of moments, are determined.
 std::vector<ForceColumn> supports(int count) {
   std::vector<ForceColumn> columns;
   for (int i = 0; i < count; ++i) columns.push_back({i, {{0, 1.0}, {1, double(i)}}});
@@ -25,7 +25,7 @@ std::vector<ForceCut> noTension(const Vector& forces) {
 TEUCHOS_UNIT_TEST(SharedForces, AreNoneWhereColumnsAreIndependent) {
   TEST_EQUALITY(sharedForces({}).size(), 0u);
   TEST_EQUALITY(sharedForces(supports(2)).size(), 0u);
-  TEST_EQUALITY(sharedForces({{0, {{0, 1.0}}}, {1, {{0, 1e-6}, {1, 1e-6}}}}).size(), 0u);  // nearly the same, but for what is left: 1e-6
+  TEST_EQUALITY(sharedForces({{0, {{0, 1.0}}}, {1, {{0, 1e-6}, {1, 1e-6}}}}).size(), 0u);  // nearly the same; 1e-6 is left
 }
 
 TEUCHOS_UNIT_TEST(SharedForces, AreTheNullSpaceInParts) {
@@ -78,12 +78,12 @@ TEUCHOS_UNIT_TEST(SharedForces, StayWithinTheLaw) {
   TEST_COMPARE(pressed.minCoeff(), >, -1e-12);
   TEST_COMPARE(std::abs(pressed.sum() - 1.0), <, 1e-13);
   TEST_COMPARE(std::abs(pressed(1) + 2 * pressed(2) + 3 * pressed(3) - 0.4), <, 1e-13);
-  // Of forces (1 - m + t, m - 2 t, t, 0) with m = .4 the least has t = (3 m - 1) / 6: 1/30.
+  // The least force of (1 - m + t, m - 2 t, t, 0) with m = .4 has t = (3 m - 1) / 6: 1/30.
   TEST_COMPARE((pressed - Vector(Eigen::Vector4d(0.6 + 1.0 / 30, 0.4 - 2.0 / 30, 1.0 / 30, 0))).norm(), <, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(SharedForces, StayWithinACone) {
-  // One force along each of three axes may be added freely; the law: |(x1, x2)| <= x0, and the given force is (5, 3, 4), at its rim.
+  // One force along each of three axes may be added freely; the law: |(x1, x2)| <= x0, and the given force is (5, 3, 4), at its limit.
   const SharedForces shared{{0, 1, 2}, Matrix(Vector(Eigen::Vector3d(1, 0, 0)))};  // only the first is free: it must not fall below 5
   const auto cone = [](const Vector& x) {
     const double size = std::hypot(x(1), x(2));

@@ -22,7 +22,7 @@ using scenes::dry;
 using scenes::Scene;
 using LawPtr = std::shared_ptr<const ContactLaw>;
 
-// Message of the check, or "" when it lets the scene pass.
+// Message of the check, or "" if the scene passes.
 std::string verdict(const Scene& scene) {
   try {
     checkSolvability(scene.mesh, scene.constraints, scene.model);
@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(Solvability, FindsTheMotionsThatPrescribedComponentsLeave) {
   Scene scene = scenes::twoBlocks(4, 2, 2);
   const auto freeOf = [&](int part) { return freeRigidMotions(scene.mesh, scene.constraints).parts[part].free; };
   TEST_EQUALITY(freeOf(0).cols(), 3);
-  scene.hold("upper_left", 0, 0.0);  // a vertical side held in x: only the vertical translation is left
+  scene.hold("upper_left", 0, 0.0);  // a vertical side held in x: only the vertical translation remains
   const Matrix left = freeOf(1);
   TEST_EQUALITY(left.cols(), 1);
   TEST_COMPARE(std::abs(std::abs(left(1, 0)) - 1), <, 1e-14);
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(Solvability, ABodyPushedSidewaysMovesToTheRight) {
   Scene scene = scenes::twoBlocks(4, 2, 2);
   scene.fixLower();
   scene.pressure("upper_top", 3.0);
-  scene.pressure("upper_left", 1e-3);  // presses to the right; nothing holds it against that
+  scene.pressure("upper_left", 1e-3);  // presses to the right; nothing holds it in that direction
   TEST_ASSERT(says(verdict(scene), "body 'upper' can"));
   TEST_ASSERT(says(verdict(scene), "the loads push it there"));
 }
@@ -108,7 +108,7 @@ TEUCHOS_UNIT_TEST(Solvability, ABlockThatOnlyRestsMaySlide) {
 }
 
 TEUCHOS_UNIT_TEST(Solvability, ABodyLoadedBesideItsSeatTurnsOver) {
-  // the seat is the left half of the bottom; the load stands on the right of it
+  // the seat is the left half of the bottom; the load is to its right
   Scene scene = scenes::overhang();
   scene.traction("upper_right", {0, -1, 0});
   const std::string text = verdict(scene);
@@ -172,7 +172,7 @@ TEUCHOS_UNIT_TEST(Solvability, NonnegativeLeastSquaresMeetsItsOptimalityConditio
   }
 }
 
-// The lower block is fixed, the upper one lies on it and is pulled to the right by so much of its weight.
+// The lower block is fixed, the upper one lies on it and is pulled to the right by the given fraction of its weight.
 std::string verdictOfPull(double pull, const LawPtr& law, double weight = 1e4) {
   Scene scene = scenes::twoBlocks(4, 2, 2);
   scene.fixLower();
@@ -190,7 +190,7 @@ TEUCHOS_UNIT_TEST(Solvability, FrictionHoldsUpToItsConeAndCohesionUpToWhatTheSol
   TEST_EQUALITY(verdictOfPull(-0.3, dry(0.0, 0.31)), "");
   TEST_EQUALITY(verdictOfPull(0.0, dry(0.0, 0.1)), "");  // its place along the seat is that of the beginning
   TEST_EQUALITY(verdictOfPull(0.3, dry(1.0, 0.0)), "");
-  // pulled off: nothing but glue, or sides that never part, holds it
+  // pulled off: only glue, or sides that never separate, hold it
   TEST_ASSERT(says(verdictOfPull(0.0, dry(1.0, 0.5), -1e4), "move upwards"));
   TEST_EQUALITY(verdictOfPull(0.3, std::make_shared<Tied>(), -1e4), "");
   TEST_ASSERT(says(verdictOfPull(0.0, std::make_shared<NoSeparation>(), -1e4), "without opening its contacts"));
@@ -202,7 +202,7 @@ TEUCHOS_UNIT_TEST(Solvability, FrictionInSpaceHoldsInEveryDirection) {
   box.nx = box.ny = box.nz = 2;
   box.cell = Cell::Hexahedron8;
   const Scene block = scenes::fromBoxes({box});
-  for (const double mu : {0.29, 0.307}) {  // sixteen planes about the cone reach 2 % beyond it between two of its edges
+  for (const double mu : {0.29, 0.307}) {  // sixteen planes about the cone exceed it by 2 % between two of its edges
     for (int direction = 0; direction < 32; ++direction) {
       Scene scene = block;
       scene.model.dimension = 3;

@@ -1,4 +1,4 @@
-// Sentences that are put together from parts: each of their branches is read once.
+// Sentences assembled from parts: each of their branches is checked once.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/constraints/RigidMotion.hpp>
 #include <suture/quality/Verification.hpp>
@@ -9,7 +9,7 @@
 namespace suture {
 namespace {
 
-/// What is wrong with a sentence: words twice, two prepositions, two marks, unfilled places.
+/// Faults of a sentence: repeated words, two prepositions, two punctuation marks, unfilled placeholders.
 std::string faultOf(const std::string& text) {
   static const std::regex wrong(
       R"(\b(a|the|at|on|in|of|to|by|with|and|or|is) \1\b|\b(at|of|to|by|from|with) (at|on|in|of|by|from|with)\b| \(\)| [,;.]( |$)|[,;:] ?[,;:.]( |$)|  |\bnan\b|\binf\b|''|-0[,) ])");
@@ -31,7 +31,7 @@ Vector motion(std::initializer_list<double> amplitudes) {
   return all;
 }
 
-// A rotation about an axis that is many radii away is a shift, and is called one.
+// A rotation about an axis many radii away is a translation, and is called one.
 TEUCHOS_UNIT_TEST(Words, CallAFarTurnAShift) {
   const RigidPart part = bodyAt({1, 2, 0}, 1.0);
   TEST_EQUALITY(inWords(part, motion({0, 1, 0}), 2), "move upwards (0, 1)");
@@ -44,7 +44,7 @@ TEUCHOS_UNIT_TEST(Words, CallAFarTurnAShift) {
   TEST_EQUALITY(inWords(solid, motion({0, 0, 1, 1.0 / 390, 0, 0}), 3), "move upwards (0, 0, 1), turning slightly");
   TEST_EQUALITY(inWords(solid, motion({0.6, 0.8, 0, 0, 0, 0}), 3), "move (0.6, 0.8, 0)");
   TEST_EQUALITY(inWords(solid, motion({0, 0, 0, 0, 0, 1}), 3), "turn about the axis (0, 0, 1) through (1, 2, 3)");
-  // The motion that the words name is the one that was given, to the share that they leave out.
+  // The motion that the words describe equals the given one, except for the fraction that they omit.
   const Vector far = motion({1, 0, 1.0 / 21});
   const Point moved = part.displacement({2, 2, 0}, far, 2);
   TEST_COMPARE(std::abs(moved[0] - 1.0) + std::abs(moved[1]), <, 0.06);

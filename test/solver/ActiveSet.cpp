@@ -8,7 +8,7 @@ namespace {
 
 using namespace blocks;
 
-/// A problem that passes everything on to another one; what tests change or watch, they override.
+/// A problem that forwards everything to another one; tests override the functions that they change or watch.
 struct Passing : InterfaceProblem {
   const InterfaceProblem& real;
   explicit Passing(const InterfaceProblem& given) : real(given) {}
@@ -30,7 +30,7 @@ struct Passing : InterfaceProblem {
   const ContactSets* sets() const override { return real.sets(); }
 };
 
-// Every application of the operator asks every subdomain's Schur complement once, and nothing else does: BDDC uses the dense matrices.
+// Every application of the operator uses every subdomain's Schur complement once, and nothing else does: BDDC uses the dense matrices.
 TEUCHOS_UNIT_TEST(ActiveSet, CountsEveryApplicationOfTheOperator) {
   Scene touching = pressedBlocks();
   for (ContactPair& pair : touching.constraints.pairs) pair.gap = 0.0;
@@ -69,11 +69,11 @@ TEUCHOS_UNIT_TEST(ActiveSet, GoesOnFromASolution) {
   const OuterResult again = Registry<OuterSolver>::instance().make("Active Set", own)->solve(one.problem, settings, silent, &start);
   TEST_ASSERT(again.converged);
   TEST_EQUALITY(again.iterations, 0);
-  TEST_COMPARE(again.pcgTotal, <=, 2);  // applications of the operator, to see that it is the solution
+  TEST_COMPARE(again.pcgTotal, <=, 2);  // applications of the operator, to verify the solution
   TEST_ASSERT(one.problem.differing(again.state.status, first.state.status).empty());
 }
 
-/// Counts the linear solves that start anew: those that are gone on with report no iteration 0.
+/// Counts the linear solves that start anew: continued ones report no iteration 0.
 class Starts : public Monitor {
  public:
   void inner(int iteration, double) override { count += iteration == 0; }

@@ -79,7 +79,7 @@ void endsInTime(const std::string& name, const std::string& method, const Blocks
   out << name << ", " << method << ", " << preconditionerName << ": " << pcgOf(runs.automatic) << " of " << pcgOf(runs.full)
       << " PCG, estimated discretisation error " << error.energyNorm << " (" << 100 * error.relative() << " %), algebraic " << truth
       << ", estimated " << runs.automatic.energyError << ", " << runs.estimates << " estimates\n";
-  // Errors add by squares: 0.2 of the discretisation error makes the whole 2 % larger.
+  // Errors add in squares: 0.2 of the discretisation error increases the total by 2 %.
   TEST_COMPARE(truth, <, 0.2 * error.energyNorm);
   TEST_COMPARE(pcgOf(runs.automatic), <=, 0.6 * pcgOf(runs.full));
   TEST_COMPARE(runs.automatic.energyError, >=, 0.0);
@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(AutomaticTolerance, EndsCondensedGroups) {
   for (const char* method : {"Semismooth Newton", "Chord"}) endsInTime("waves", method, all, problem, "Neumann-Neumann", success, out);
 }
 
-// A mesh that holds the exact solution has no discretisation error: nothing may end before the tolerance that is always there.
+// A mesh that contains the exact solution has no discretisation error: no iteration may stop before the minimum tolerance is reached.
 TEUCHOS_UNIT_TEST(AutomaticTolerance, GoesOnWhereTheMeshIsExact) {
   Scene scene = square(4, 4);
   for (const char* side : {"body_left", "body_right", "body_bottom", "body_top"})
@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(AutomaticTolerance, GoesOnWhereTheMeshIsExact) {
   TEST_COMPARE(runs.automatic.residual, <=, 1e-8);
 }
 
-// The algebraic error against the distance to the solution, contact included. (With 1e-2 pairs may violate their conditions by a tenth of
+// The algebraic error against the distance to the solution, including contact. (With 1e-2 pairs may violate their conditions by a tenth of
 // the largest force, and the error of a wrong status is not that of its linear problem.)
 TEUCHOS_UNIT_TEST(AutomaticTolerance, RowsKnowTheirAlgebraicError) {
   const OnInterface one(pressedBlocks(2), world());

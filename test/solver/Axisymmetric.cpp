@@ -1,4 +1,4 @@
-// Bodies of revolution against solutions in three dimensions.
+// Axisymmetric bodies against 3D solutions.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/constraints/RigidMotion.hpp>
 #include <suture/reference/Monolithic.hpp>
@@ -34,7 +34,7 @@ Matrix stressOf(const scenes::Scene& scene, const Vector& u) {
       scene.mesh, [&](int) -> const Material& { return scene.model.materialOfBody[0]; }, PlaneModel::Strain, u);
 }
 
-// A cylinder [r0, 2] x [0, 1] whose inner nodes are pushed about; u_r = a r, u_y = b y on its boundary.
+// A cylinder [r0, 2] x [0, 1] whose inner nodes are displaced; u_r = a r, u_y = b y on its boundary.
 scenes::Scene stretchedCylinder(const Element& element, double r0, double a, double b) {
   Box box;
   box.x0 = r0;
@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(Axisymmetric, HollowSpheresFollowLame) {
 }
 
 TEUCHOS_UNIT_TEST(Axisymmetric, ADiscUnderInnerPressureIsLamesDisc) {
-  // Free to change its thickness: plane stress, which no axisymmetric law knows of. u = p a^2 / (E (b^2 - a^2)) ((1 - nu) r + (1 + nu) b^2
+  // Free to change its thickness: plane stress, which no axisymmetric law includes. u = p a^2 / (E (b^2 - a^2)) ((1 - nu) r + (1 + nu) b^2
   // / r).
   Box box;
   box.x0 = scenes::kInner;
@@ -160,7 +160,7 @@ TEUCHOS_UNIT_TEST(Axisymmetric, ADiscUnderInnerPressureIsLamesDisc) {
 TEUCHOS_UNIT_TEST(Axisymmetric, BodiesMoveAlongTheirAxisOnly) {
   scenes::Scene scene = scenes::quarterRing(Cell::Quadrilateral4, 1, 2, 2, 4, {"m", 1.0, 0.3}, true);
   for (NodeRule& rule : scene.constraints.rules)
-    if (rule.fixed[1]) rule.fixed[1] = false;  // only the axis is left
+    if (rule.fixed[1]) rule.fixed[1] = false;  // only the axis remains
   const RigidParts rigid = freeRigidMotions(scene.mesh, scene.constraints);
   TEST_EQUALITY(rigid.parts[0].free.cols(), 1);
   TEST_FLOATING_EQUALITY(std::abs(rigid.parts[0].free(1, 0)), 1.0, 1e-14);

@@ -1,4 +1,4 @@
-// Digits body by body: answers of all ways, at their defaults, against the same scene solved in extended precision.
+// Accuracy per body: answers of all methods, with their defaults, against the same scene solved in extended precision.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/Judged.hpp>
 #include <solver/SolveWays.hpp>
@@ -13,13 +13,13 @@ using scenes::ExtendedReference;
 
 constexpr double kDigits = 1e-6;
 
-/// True of an answer that is right, however far it moves: loads here are any number, and soft bodies slide by many elements.
+/// True for a right answer, however far it moves: loads here have any size, and soft bodies slide by many elements.
 bool holdsBesideSlides(const Verification& verdict) {
   return std::all_of(verdict.checks.begin(), verdict.checks.end(),
                      [](const Check& check) { return check.holds() || check.name == nameOf(Quantity::Slide); });
 }
 
-/// All ways against the reference.
+/// All methods against the reference.
 void agrees(const Scene& scene, const ExtendedReference& reference, bool& success, Teuchos::FancyOStream& out, const std::string& name,
             double digits = kDigits) {
   for (const std::string& way : ways()) {
@@ -36,7 +36,7 @@ void agrees(const Scene& scene, const ExtendedReference& reference, bool& succes
   }
 }
 
-/// The scene with all that is prescribed moved by a rigid motion of so many body sizes.
+/// The scene with all prescribed values moved by a rigid motion of the given number of body sizes.
 struct Moved {
   Scene scene;
   double x, y, turn;
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(BodyByBody, InitialGaps) {
   }
 }
 
-/// Two clusters: the same moduli, loads that differ.
+/// Two clusters: the same moduli, different loads.
 TEUCHOS_UNIT_TEST(BodyByBody, ClustersOfVeryDifferentLoads) {
   for (const double weak : casesOf({1e-12, 1e-6})) {
     Scene scene = strongAndWeak(weak);
@@ -127,7 +127,7 @@ TEUCHOS_UNIT_TEST(BodyByBody, YoungJumpsBetweenBricks) {
     agrees(bricks(jump), ExtendedReference(bricks(jump)), success, out, "bricks " + std::to_string(jump));
 }
 
-/// Beyond what double precision holds: an answer is right, or the verdict says that it is not.
+/// Beyond double precision: an answer is right, or the verdict rejects it.
 TEUCHOS_UNIT_TEST(BodyByBody, TheVerdictKnowsJumpsThatAreTooLarge) {
   for (const double jump : casesOf({1e14, 1e-14, 1e11, 1e-11}, 2)) {
     const ExtendedReference reference(bricks(jump));
@@ -135,7 +135,7 @@ TEUCHOS_UNIT_TEST(BodyByBody, TheVerdictKnowsJumpsThatAreTooLarge) {
       Solved found;
       try {
         found = solveAs(way, bricks(jump));
-      } catch (const NumericalError& error) {  // a factorisation that knows it
+      } catch (const NumericalError& error) {  // a factorisation that detects it
         TEST_ASSERT(std::string(error.what()).find("singular to working precision") != std::string::npos);
         continue;
       }
@@ -163,7 +163,7 @@ TEUCHOS_UNIT_TEST(BodyByBody, TheSameDigitsInAnyUnit) {
   }
 }
 
-/// Loads, gaps and what is prescribed that single precision could not hold.
+/// Loads, gaps and prescribed values that single precision could not represent.
 TEUCHOS_UNIT_TEST(BodyByBody, TheSameDigitsUnderTinyLoads) {
   for (const double load : casesOf({1e-100, 1e-60, 1e-40})) {
     const Scene scene = looseBlock(100.0, load);

@@ -10,8 +10,8 @@ namespace suture::blocks {
 /// Preconditioner by name, everything else by default.
 std::function<Teuchos::RCP<Preconditioner>()> preconditioner(const std::string& name);
 
-/// Solves by an outer solver's name. \param tolerance  that of the outer solver;  \param start  in place of the auxiliary solution, or
-/// null. Collective.
+/// Solves by an outer solver's name. \param tolerance  that of the outer solver;  \param start  instead of the auxiliary solution, or null.
+/// Collective.
 OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance,
                       const std::function<Teuchos::RCP<Preconditioner>()>& makePreconditioner, const InterfaceState* start = nullptr);
 OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance = 1e-10,

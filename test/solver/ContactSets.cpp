@@ -9,7 +9,7 @@ namespace {
 
 using namespace blocks;
 
-/// A block that only contact holds, in a formulation, with every so many pairs closed (0: none).
+/// A block held by contact only, in a formulation, with every n-th pair closed (0: none).
 struct Held : Formulated {
   const ContactSets& sets;
   ClosedSet closed;
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(ContactSets, ChangesOfPairsAreDifferencesOfStates) {
     }
 }
 
-/// Betti: what one system of pair forces does on the penetrations of another it does the other way round; pair forces push sides apart.
+/// Betti: the work of one system of pair forces on the penetrations of another is symmetric; pair forces push sides apart.
 TEUCHOS_UNIT_TEST(ContactSets, PairForcesAreReciprocal) {
   for (const std::string& formulation : formulations()) {
     const Held held(formulation, 4);
@@ -127,7 +127,7 @@ TEUCHOS_UNIT_TEST(ContactSets, RigidMotionsPutBesideTheTraceAreTheSameState) {
     InterfaceState again = moved;
     again.trace = Teuchos::rcp(new MultiVector(*moved.trace, Teuchos::Copy));
     held.sets.separate(again);
-    TEST_COMPARE((again.rigid - moved.rigid).norm(), <, 1e-15);  // nothing is left in the trace
+    TEST_COMPARE((again.rigid - moved.rigid).norm(), <, 1e-15);  // nothing remains in the trace
     moved.memory.reset();
     const InterfaceEvaluation after = held.sets.evaluateSet(moved, {0.0});
     TEST_FLOATING_EQUALITY(before.energy, after.energy, 1e-10);
@@ -138,7 +138,7 @@ TEUCHOS_UNIT_TEST(ContactSets, RigidMotionsPutBesideTheTraceAreTheSameState) {
   }
 }
 
-/// Groups hold loads and gaps inside: their energies are squares of the trace beside a linear part.
+/// Groups hold loads and gaps inside: their energies are quadratic in the trace plus a linear part.
 TEUCHOS_UNIT_TEST(ContactSets, EnergiesOfPartsAreQuadraticInTheTrace) {
   for (const std::string& formulation : formulations()) {
     Held held(formulation, 0);

@@ -1,5 +1,5 @@
-// Contact On The Interface with Active Set, Condensed Groups with Semismooth Newton, and the monolithic reference: one solution, whatever
-// the cut, the preconditioner and the number of ranks.
+// Contact On The Interface with Active Set, Condensed Groups with Semismooth Newton, and the monolithic reference: one solution for any
+// partition, preconditioner and number of ranks.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/ContactMethods.hpp>
 
@@ -34,7 +34,7 @@ void allAgree(const Scene& scene, bool& success, Teuchos::FancyOStream& out) {
   int closed = 0;
   for (const PairResult& pair : reference.pairs) closed += pair.state.closed();
   TEST_COMPARE(closed, >, 0);
-  TEST_COMPARE(closed, <, int(reference.pairs.size()));  // else it would not be a contact problem
+  TEST_COMPARE(closed, <, int(reference.pairs.size()));  // otherwise it would not be a contact problem
 
   const OnInterface named(scene, world());
   for (const char* preconditioner : {"BDDC", "Neumann-Neumann"}) {

@@ -1,4 +1,4 @@
-// Every element against an exact solution of plane strain without body force: how fast its errors fall with the mesh size.
+// Every element against an exact solution of plane strain without body force: the order of its errors in the mesh size.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/ElementMap.hpp>
 #include <suture/reference/Monolithic.hpp>
@@ -92,7 +92,7 @@ BendingErrors errorsOf(Cell cell, int cells, double poisson = 0.3, ElementForm f
 }
 
 TEUCHOS_UNIT_TEST(ElementOrders, AreThoseOfTheoryForEveryCell) {
-  // Displacement p + 1. Stress at least p; Quadrilateral4 has its second order at the centroid, where its gradients are best.
+  // Displacement p + 1. Stress at least p; Quadrilateral4 has second order at the centroid, where its gradients are best.
   const std::map<std::string, std::pair<double, double>> least{
       {"Triangle3", {2, 1}}, {"Quadrilateral4", {2, 2}}, {"Triangle6", {3, 2}}, {"Quadrilateral8", {3, 2}}, {"Quadrilateral9", {3, 2}}};
   for (int c = 0; c <= static_cast<int>(Cell::Quadrilateral9); ++c) {
@@ -105,7 +105,7 @@ TEUCHOS_UNIT_TEST(ElementOrders, AreThoseOfTheoryForEveryCell) {
     TEST_COMPARE(displacement, >, p - 0.1);
     TEST_COMPARE(displacement, <, p + 1.1);
     TEST_COMPARE(stress, >, q - 0.1);
-    TEST_COMPARE(fine.displacement, <, 2e-2);  // u is of the order of one: the right solution, not one nearby
+    TEST_COMPARE(fine.displacement, <, 2e-2);  // u is of the order of one: the right solution, not a similar one
   }
 }
 
@@ -129,7 +129,7 @@ TEUCHOS_UNIT_TEST(ElementOrders, OfMixedElementsDoNotDependOnPoissonsRatio) {
   }
 }
 
-// Lame's tube under inner pressure, its nodes' largest error; with the middles of the sides on their chords, if so asked.
+// Lame's tube under inner pressure, its nodes' largest error; optionally with the middles of the sides on their chords.
 double tube(Cell cell, int cells, bool straight) {
   const double a = 1, b = 2, pressure = 0.1, poisson = 0.3;
   scenes::Scene scene = scenes::quarterRing(cell, a, b, cells, 2 * cells, {"m", youngOf(poisson), poisson});

@@ -10,7 +10,7 @@ namespace {
 
 using namespace blocks;
 
-// Conjugate gradients on a dense matrix, to the letter; the error of every iterate is known.
+// Conjugate gradients on a dense matrix, as published; the error of every iterate is known.
 struct Textbook {
   std::vector<double> norms, steps, errors;
 
@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(EnergyError, IsAnUpperBoundAndExactForWhatIsBehind) {
   for (std::size_t k = 0; k < bound.size(); ++k) {
     TEST_COMPARE(bound[k], >, (1 - 1e-9) * run.errors[k]);
     TEST_COMPARE(bound[k], <, 1.5 * run.errors[k]);
-    // Hestenes and Stiefel: what the iterations between have gained.
+    // Hestenes and Stiefel: the energy gained by the iterations in between.
     const double known = bound[k] * bound[k] - bound.back() * bound.back();
     const double truth = run.errors[k] * run.errors[k] - run.errors.back() * run.errors.back();
     TEST_COMPARE(std::abs(known - truth), <, 1e-10 * run.errors[0] * run.errors[0]);
@@ -106,7 +106,7 @@ TEUCHOS_UNIT_TEST(EnergyError, EndsASolveWhereItIsSmallEnough) {
   EnergyCriterion criterion;
   criterion.enough = [&](double start, double error, const MultiVector& now) {
     TEST_COMPARE(start, >=, error);
-    // The iterate that it is shown has gained what it says: |x|^2 = |x - 0|^2 - |error|^2.
+    // The reported gain of an iterate is exact: |x|^2 = |x - 0|^2 - |error|^2.
     const double norm = energyNorm(*linear.matrix, now);
     const double truth = std::sqrt(std::max(std::pow(whole.energyErrors.front(), 2) - norm * norm, 0.0));
     TEST_COMPARE(std::abs(error - truth), <, 0.6 * truth + 1e-7 * whole.energyErrors.front());

@@ -1,4 +1,4 @@
-// Contact with friction on the interface against the reference, which shares nothing with it but elements, rows and laws.
+// Contact with friction on the interface against the reference, which shares only elements, rows and laws with it.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/FrictionBlocks.hpp>
 #include <solver/ContactMethods.hpp>
@@ -111,11 +111,11 @@ void comparesAllLaws(int dimension, bool& success, Teuchos::FancyOStream& out, b
 TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInThePlane) { comparesAllLaws(2, success, out); }
 TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInSpace) { comparesAllLaws(3, success, out); }
 
-// Condensed Groups: Tresca's law by itself, Coulomb's as a fixed point of it.
+// Condensed Groups: Tresca's law directly, Coulomb's as a fixed point of it.
 TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInGroupsInThePlane) { comparesAllLaws(2, success, out, true); }
 TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInGroupsInSpace) { comparesAllLaws(3, success, out, true); }
 
-/// The upper block under a pressure and a traction along the contact in place of what holds its top: friction alone holds it.
+/// The upper block under a pressure and a traction along the contact instead of a held top: only friction holds it.
 Scene heldByFriction(int dimension, Sides sides, const LawOfSides& law, double along) {
   Scene scene = rubbedBlocks(dimension, sides, law);
   for (const int node : scene.nodesOf("upper_top")) scene.ruleOf(node).fixed = {false, false, false};
@@ -136,7 +136,7 @@ TEUCHOS_UNIT_TEST(FrictionMethods, HoldABodyByFrictionAlone) {
                    inGroups);
 }
 
-// What one Tresca problem after the other comes to, each with the bounds by the last one's forces: the contraction is what is reported.
+// Tresca problems in sequence, each with bounds from the last one's forces, contract at the reported rate.
 TEUCHOS_UNIT_TEST(FrictionMethods, ReportHowTheFixedPointOfTrescaProblemsContracts) {
   const auto contraction = [](const LawOfSides& law) {
     const Scene scene = rubbedBlocks(2, Sides::Matching, law, 4);
@@ -153,7 +153,7 @@ TEUCHOS_UNIT_TEST(FrictionMethods, ReportHowTheFixedPointOfTrescaProblemsContrac
   TEST_COMPARE(more, <, 0.5);
 }
 
-// Nearly all pairs slip: nothing but the stiffness across their slip keeps the block from turning.
+// Nearly all pairs slip: only the stiffness across their slip prevents the block from rotating.
 TEUCHOS_UNIT_TEST(FrictionMethods, HoldABodyThatOnlySlidingPairsHold) {
   int slide = 0, stick = 0;
   for (const Sides sides : {Sides::Matching, Sides::Mortar, Sides::Obstacle}) {
@@ -214,13 +214,13 @@ TEUCHOS_UNIT_TEST(FrictionMethods, GoOnFromASolution) {
     const InterfaceState start = one.problem.stateOf(one.problem.interiors(first.state), kept);
     const OuterResult again = solveWith("Active Set", one.problem, 1e-8, "BDDC", &start);
     TEST_ASSERT(again.converged);
-    TEST_COMPARE(again.iterations, <=, dimension);             // in space directions of slip are settled at an accuracy between
-    TEST_COMPARE(3 * again.pcgTotal, <=, 2 * first.pcgTotal);  // with the same states: what the search itself costs is saved
+    TEST_COMPARE(again.iterations, <=, dimension);             // in 3D slip directions are settled at an intermediate accuracy
+    TEST_COMPARE(3 * again.pcgTotal, <=, 2 * first.pcgTotal);  // with the same states: the cost of the search itself is saved
     TEST_ASSERT(one.problem.differing(again.state.status, first.state.status).empty());
   }
 }
 
-// Any cut, any number of ranks: the same steps to the same states.
+// Any partition, any number of ranks: the same steps to the same states.
 TEUCHOS_UNIT_TEST(FrictionMethods, DoNotDependOnTheCut) {
   const Scene scene = rubbedBlocks(2, Sides::Mortar, dry(0.0, 0.3), 6, true);
   const MonolithicResult reference = referenceOf(scene);

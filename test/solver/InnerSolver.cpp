@@ -1,4 +1,4 @@
-// Conjugate gradients that stop and go on are the same iterations.
+// Conjugate gradients that stop and continue perform the same iterations.
 #include <suture/base/Timers.hpp>
 #include <suture/solver/InnerSolver.hpp>
 
@@ -41,7 +41,7 @@ TEUCHOS_UNIT_TEST(InnerSolver, LosesNoIterationWhereItStops) {
   const double begin = Timers::now();
   const long long before = p.made->applications();
   const InnerResult once = p.solve(solver, *whole, 1e-10);
-  TEST_EQUALITY(p.made->applications() - before, once.pcg + 1);  // to the right-hand side once
+  TEST_EQUALITY(p.made->applications() - before, once.pcg + 1);  // once to the right-hand side
   TEST_COMPARE(once.seconds, >, 0.0);
   TEST_COMPARE(once.seconds, <, Timers::now() - begin);
 
@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(InnerSolver, LosesNoIterationWhereItStops) {
   sum->update(1.0, *part, 0.0);
   int pcg = last.pcg;
   std::vector<double> history = last.history, steps = last.steps;
-  for (const double tolerance : {1e-4, 1e-4, 1e-7, 1e-10}) {  // twice the same: nothing is left to do
+  for (const double tolerance : {1e-4, 1e-4, 1e-7, 1e-10}) {  // twice the same: nothing remains to be done
     TEST_ASSERT(solver.canGoOn());
     last = solver.goOn(*part, tolerance, 0.0, p.silent);
     TEST_ASSERT(last.converged);
@@ -77,7 +77,7 @@ TEUCHOS_UNIT_TEST(InnerSolver, ShowsTheCriterionWhatItAddsItself) {
   InnerSolver solver(200);
   p.solve(solver, *whole, 1e-12);
   p.solve(solver, *first, 1e-2);
-  whole->update(-1.0, *first, 1.0);  // the rest to add
+  whole->update(-1.0, *first, 1.0);  // the remainder to add
   const double left = std::sqrt(dot(*whole, *whole));
   double nearest = left;
   EnergyCriterion criterion;

@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(InterfaceProblems, CountTheSamePairsAndPieces) {
     for (const std::string& formulation : formulations()) {
       const Formulated other(one.scene, world(), formulation);
       TEST_EQUALITY(other.problem->pieces(), int(one.scene.constraints.pieces.size()));
-      if (one.name != "held on the line")  // there a pair cannot change: the paper's groups count it all the same
+      if (one.name != "held on the line")  // there a pair cannot change: the paper's groups count it nevertheless
         TEST_EQUALITY(other.problem->pairs(), first.problem->pairs());
     }
   }
@@ -156,7 +156,8 @@ TEUCHOS_UNIT_TEST(InterfaceProblems, LinearisationIsTheDerivativeOfTheResidual) 
   });
 }
 
-// One meaning of the right-hand side in all formulations: of any state whose status is that of its trace, closed gaps or none.
+// The right-hand side has the same meaning in all formulations, for any state whose status is that of its trace, with or without closed
+// gaps.
 TEUCHOS_UNIT_TEST(InterfaceProblems, LoadIsTheResidualOfTheState) {
   forAll(out, [&](const Formulated& one) {
     for (const double seed : {0.0, 1.0, 2.0}) {
@@ -177,7 +178,7 @@ TEUCHOS_UNIT_TEST(InterfaceProblems, LoadIsTheResidualOfTheState) {
   });
 }
 
-// F + F_g of (21), what the auxiliary problem is solved with.
+// F + F_g of (21), the right-hand side of the auxiliary problem.
 TEUCHOS_UNIT_TEST(InterfaceProblems, LoadOfTheStartLeadsToTheSolutionOfALinearProblem) {
   for (const std::string& formulation : formulations()) {
     const Formulated one(loadedRectangle(), world(), formulation);
@@ -188,7 +189,7 @@ TEUCHOS_UNIT_TEST(InterfaceProblems, LoadOfTheStartLeadsToTheSolutionOfALinearPr
   }
 }
 
-// With the residual as the right-hand side a step ends where the residual is zero, as long as no status changes.
+// With the residual as the right-hand side a step ends at zero residual, as long as no status changes.
 TEUCHOS_UNIT_TEST(InterfaceProblems, AStepFromTheResidualEndsWithoutOne) {
   int ended = 0;
   forAll(out, [&](const Formulated& one) {

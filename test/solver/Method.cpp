@@ -1,4 +1,4 @@
-// The ways from a scene in subdomains to its solution.
+// Methods that solve a partitioned scene.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <constraints/RoughLaw.hpp>
 #include <solver/SceneChoices.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace blocks;
 
-/// A scene as a method is given it: whole on rank 0, and cut.
+/// The input of a method: the scene whole on rank 0, and partitioned.
 struct Given {
   Parameters settings;
   Scene scene = pressedBlocks(2);
@@ -72,7 +72,7 @@ TEUCHOS_UNIT_TEST(Method, DecompositionAndReferenceHaveOneSolution) {
   }
 }
 
-/// Problems of a method with lines of these laws, each in words; none if it takes them.
+/// Problems of a method with lines of these laws, as messages; none if it accepts them.
 std::vector<std::string> refused(const std::vector<std::string>& settings, std::vector<std::shared_ptr<const ContactLaw>> laws) {
   const Given given(settings);
   CutScene cut = given.cut();
@@ -88,7 +88,7 @@ std::vector<std::string> refused(const std::vector<std::string>& settings, std::
   return problems;
 }
 
-// Friction needs a method that knows states of pairs; so does a law that never opens one.
+// Friction needs a method that supports states of pairs; so does a law that never opens a pair.
 TEUCHOS_UNIT_TEST(Method, RefusesFrictionWhereItKnowsNormalsAlone) {
   const auto smooth = std::make_shared<Frictionless>();
   const auto rough = std::make_shared<RoughLaw>();
@@ -138,7 +138,7 @@ TEUCHOS_UNIT_TEST(Method, RefusesAnotherOrderOfCalls) {
   method->prepare(given.cut(), timers);
   TEST_COMPARE(method->interfaceUnknowns(), >, 0);
   TEST_THROW(method->prepare(given.cut(), timers), InternalError);
-  // A method that needs the mesh is not given it: rank 0 says so before the others wait.
+  // A method that needs the mesh does not get it: rank 0 reports the error before the others wait.
   const Mesh none;
   const CutScene cut = given.cut(), empty{cut.comm, none, cut.constraints, cut.partition, cut.meshes, cut.model, cut.settings};
   TEST_THROW(makeMethod(solverParameters({"Outer Solver/Type=Monolithic"}), true)->prepare(empty, timers), InternalError);
@@ -154,7 +154,7 @@ TEUCHOS_UNIT_TEST(Method, TimesItsPhases) {
   for (const char* phase : {"assemble", "factor", "solve"}) TEST_COMPARE(timers.seconds(phase), >, 0.0);
 }
 
-/// A method of a user's own: nothing moves.
+/// A user's method: nothing moves.
 class Frozen : public Method {
  public:
   bool needsWholeMesh() const override { return false; }

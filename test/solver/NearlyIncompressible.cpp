@@ -1,4 +1,4 @@
-// Mixed elements where Poisson's ratio tends to 0.5, and that displacement elements do lock there.
+// Mixed elements as Poisson's ratio tends to 0.5; displacement elements do lock there.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/reference/Monolithic.hpp>
 
@@ -33,7 +33,7 @@ Cylinder cylinder(Cell cell, ElementForm form, double nu, int cells) {
 }
 
 TEUCHOS_UNIT_TEST(NearlyIncompressible, MixedElementsFollowLame) {
-  // 8 x 16 cells; as good as at nu = 0.3, however near to 0.5. Pressures at centroids: that of Quadrilateral4 has the order of the
+  // 8 x 16 cells; as accurate as at nu = 0.3, however near to 0.5. Pressures at centroids: that of Quadrilateral4 has the order of the
   // geometry.
   const std::map<Cell, std::pair<double, double>> most{{Cell::Quadrilateral4, {4e-3, 4e-3}},
                                                        {Cell::Quadrilateral8, {1e-5, 1e-2}},
@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(NearlyIncompressible, MixedElementsFollowLame) {
 }
 
 TEUCHOS_UNIT_TEST(NearlyIncompressible, DisplacementElementsLockOrLoseTheirPressure) {
-  // Failures of displacement elements. Quadrilateral4 does not deform at all; quadratic ones do, with pressures that mean nothing.
+  // Failures of displacement elements. Quadrilateral4 does not deform at all; quadratic ones do, with meaningless pressures.
   TEST_COMPARE(cylinder(Cell::Quadrilateral4, ElementForm::Displacement, 0.3, 8).displacement, <, 4e-3);
   TEST_COMPARE(cylinder(Cell::Quadrilateral4, ElementForm::Displacement, 0.499999, 8).displacement, >, 0.9);
   for (const Cell cell : {Cell::Quadrilateral8, Cell::Quadrilateral9, Cell::Triangle6})
@@ -80,7 +80,7 @@ double cook(Cell cell, ElementForm form, int cells, double nu) {
 }
 
 TEUCHOS_UNIT_TEST(NearlyIncompressible, CooksMembraneIsThatOfARefinedMeshOfAnotherElement) {
-  // Quadratic triangles without pressure do not lock in the displacement: the reference is free of what is tested.
+  // Quadratic triangles without pressure do not lock in the displacement: the reference is free of the tested effect.
   const double reference = cook(Cell::Triangle6, ElementForm::Displacement, 96, 0.4999);
   out << "reference " << reference << "\n";
   const std::map<Cell, int> cells{{Cell::Quadrilateral4, 64}, {Cell::Quadrilateral8, 32}, {Cell::Quadrilateral9, 8}, {Cell::Triangle6, 16}};

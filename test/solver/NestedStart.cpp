@@ -1,4 +1,4 @@
-// A fine mesh that begins with a coarse one's answer.
+// A fine mesh that starts from the answer of a coarse one.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/DenseSpace.hpp>
 #include <quality/SolidScenes.hpp>
@@ -31,7 +31,7 @@ CoarseAnswer linearAnswer(const Blocks& coarse) {
   return answer;
 }
 
-/// Two blocks of other cells than pressedBlocks(), whose nodes do not match its.
+/// Two blocks of other cells than pressedBlocks(), whose nodes do not match those of it.
 Scene quadrilaterals() {
   std::vector<Box> all = twoBoxes(9, 5, 3, 1);
   for (Box& box : all) box.cell = Cell::Quadrilateral4;
@@ -41,14 +41,14 @@ Scene quadrilaterals() {
 }
 
 TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsOfEachBodyExactly) {
-  const Blocks fine(pressedBlocks(2), world(), 7, 3, false);  // cut otherwise than the coarse one: points are on other ranks
+  const Blocks fine(pressedBlocks(2), world(), 7, 3, false);  // partitioned differently from the coarse one: points are on other ranks
   std::vector<Point> points;
   std::vector<int> bodies;
   for (const SubdomainMesh& mesh : fine.meshes)
     for (int node = 0; node < mesh.nodes(); ++node) {
       points.push_back(mesh.point(node));
       bodies.push_back(mesh.body);                                              // bodies of two points on the line, one of each
-      points.push_back({1.02 * points.back()[0], 1.02 * points.back()[1], 0});  // just outside, where linear fields go on
+      points.push_back({1.02 * points.back()[0], 1.02 * points.back()[1], 0});  // just outside, where linear fields continue
       bodies.push_back(mesh.body);
     }
   for (const Scene& scene : {pressedBlocks(), quadrilaterals()}) {
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsOfEachBodyExactly) {
   }
 }
 
-/// Between meshes of other cells in space; points just outside, too.
+/// Between 3D meshes of other cells; points just outside, too.
 TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsInSpaceExactly) {
   const auto field = [](const Point& p) { return Point{1 + p[0] - 2 * p[1] + p[2], 0.5 * p[0] + p[2], p[1] - 3 * p[2]}; };
   const auto fine = solids::distributed(solids::fromBoxes({solids::cube(Cell::Hexahedron20, 4, 2)}, 1.0, 0.3));
@@ -119,9 +119,9 @@ TEUCHOS_UNIT_TEST(NestedStart, FinePairsBetweenTwoOfOneStatusHaveIt) {
     result.arc = pair.arc;
     result.position = pair.position;
     result.state = coarseStatus[pair.id] = pattern.at(pair.id);
-    if (world()->getRank() == 0) answer.solution.pairs.push_back(result);  // as recover() leaves it
+    if (world()->getRank() == 0) answer.solution.pairs.push_back(result);  // as recover() returns it
   }
-  // Three fine steps to a coarse one: fine pair 3 c + k lies between the coarse pairs c and c + 1, nearer to c for k = 1.
+  // Three fine steps per coarse step: fine pair 3 c + k lies between the coarse pairs c and c + 1, nearer to c for k = 1.
   std::map<int, ContactState> expected;
   for (const ContactPair& pair : fineScene.constraints.pairs) {
     const int before = pair.id / 3, k = pair.id % 3;
@@ -152,7 +152,7 @@ TEUCHOS_UNIT_TEST(NestedStart, LeadsToTheSameSolutionInFewerSteps) {
   const std::size_t wrong = fine.problem.differing(start.status, plain.state.status).size();
   out << "steps " << from.iterations << " and " << plain.iterations << ", PCG " << from.pcgTotal << " and " << plain.pcgTotal << " + "
       << plain.auxiliary.pcg << "; pairs wrong at the start " << wrong << "\n";
-  TEST_COMPARE(wrong, <=, 4);  // one fine pair beside each end of a closed part
+  TEST_COMPARE(wrong, <=, 4);  // one fine pair next to each end of a closed part
   TEST_COMPARE(fine.problem.differing(fine.problem.initialState().status, plain.state.status).size(), >, 4);
   TEST_COMPARE(from.iterations, <, plain.iterations);
 }

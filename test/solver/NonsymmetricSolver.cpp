@@ -123,7 +123,7 @@ TEUCHOS_UNIT_TEST(NonsymmetricSolver, OfNothingIsNothing) {
   TEST_ASSERT(result.converged);
   TEST_EQUALITY(result.pcg, 0);
   TEST_EQUALITY(dot(*x, *x), 0.0);
-  // A right-hand side that is small enough already.
+  // A right-hand side that is already small enough.
   const double norm = preconditionedNorm(*p.made, *p.linear.load);
   TEST_EQUALITY(solveNonsymmetric(p.linear.matrix, p.made, *p.linear.load, *x, 1e-2, 200.0 * norm, 100).pcg, 0);
 }

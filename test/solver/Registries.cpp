@@ -1,5 +1,5 @@
-// The contract of every registry, for all its entries: made from its own defaults, documented, refused under another name, and with it the
-// contact problem has the reference's solution.
+// The contract of every registry, for all its entries: constructed with its defaults, documented, refused under another name, and with it
+// the contact problem has the reference's solution.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/SceneChoices.hpp>
 #include <suture/interface/CondensedProblem.hpp>
@@ -42,7 +42,7 @@ void checkEntries(const std::string& path, bool& success, Teuchos::FancyOStream&
     }
     TEST_EQUALITY(own->get<std::string>(parameter), name);
     TEST_ASSERT(makeStrategy<Base>(*own, parameter) != nullptr);
-    // Near misses are refused, with the name.
+    // Near misses are refused, and the message contains the name.
     try {
       registry.make(name + "x", Parameters());
       TEST_ASSERT(false);
@@ -60,7 +60,8 @@ void isTheReferences(const Scene& scene, const MonolithicResult& reference, cons
     std::vector<std::string> all = settings;
     all.push_back("Formulation=" + formulation);
     const Parameters wanted = solverParameters(all);
-    if (!makeStrategy<OuterSolver>(wanted.sublist("Outer Solver"), "Type")->solves(*formulationOf(wanted))) continue;  // settings chose it
+    if (!makeStrategy<OuterSolver>(wanted.sublist("Outer Solver"), "Type")->solves(*formulationOf(wanted)))
+      continue;  // the settings chose it
     for (const std::string& setting : all) out << setting << "; ";
     out << "\n";
     const Formulated one(scene, world(), formulation, settings);
@@ -95,7 +96,7 @@ void checkRegistry(const std::vector<std::string>& paths, const std::vector<std:
   }
 }
 
-/// A formulation of a user's own.
+/// A user's formulation.
 class Borrowed : public Formulation {
  public:
   bool keepsGroupsWhole() const override { return true; }

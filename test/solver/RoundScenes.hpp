@@ -3,7 +3,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/constraints/NodalRules.hpp>
 
-/// Bodies between two circles or spheres, from boxes bent round: for comparison with Lame's solutions.
+/// Bodies between two circles or spheres, from bent boxes: for comparison with Lame's solutions.
 namespace suture::scenes {
 
 /// Data of tubes and spheres under inner pressure.

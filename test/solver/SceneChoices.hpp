@@ -11,7 +11,7 @@ Schema solverSchema();
 /// A scene's parameters of the solver packages with these settings.
 Parameters solverParameters(const std::vector<std::string>& settings);
 
-/// Numbers that look random and belong to the unknowns, whatever the ranks.
+/// Pseudo-random numbers per unknown, independent of the number of ranks.
 MultiVectorPtr someStep(const InterfaceSpace& space, double size, double seed);
 
 /// Euclidean norm over all ranks.

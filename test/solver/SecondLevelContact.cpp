@@ -1,4 +1,4 @@
-// The coarse problem of BDDC solved by a level more, with closed contact pairs among its edges.
+// The coarse problem of BDDC solved by a further level, with closed contact pairs among its edges.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace blocks;
 
-/// pressedBlocks() in 24 subdomains: more than the level needs to be used.
+/// pressedBlocks() in 24 subdomains: more than the minimum for this level.
 Scene manyBlocks() { return pressed(wavyBlocks(twoBoxes(16, 12, 4, 3))); }
 
 using Settings = std::vector<std::string>;
@@ -50,7 +50,7 @@ TEUCHOS_UNIT_TEST(SecondLevelContact, PreconditionerIsPositiveAndWithinItsAccura
   }
 }
 
-// Clusters are those of the ranks, and differ with them: only with an accurate coarse solve the preconditioner does not.
+// Clusters depend on the ranks: only with an accurate coarse solve the preconditioner does not.
 TEUCHOS_UNIT_TEST(SecondLevelContact, AccuratePreconditionerIsTheSameOnAnyNumberOfRanks) {
   const Scene scene = manyBlocks();
   const OnInterface spread(scene, world()), single(scene, alone());
@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(SecondLevelContact, AccuratePreconditionerIsTheSameOnAnyNumber
 }
 
 // Contact nodes in Cartesian unknowns on an inclined line: each closed pair is an equation between four of them, and local problems name
-// unknowns that only others determine. Clusters would be loose in them: the coarse problem is solved exactly, and the user is told.
+// unknowns that only others determine. Clusters would be loose in them: the coarse problem is solved exactly, and the user is warned.
 TEUCHOS_UNIT_TEST(SecondLevelContact, IsLeftOutWhereRowsHaveSeveralTerms) {
   const Scene scene = turned(manyBlocks(), 0.5);
   const OnInterface one(scene, world());

@@ -13,11 +13,11 @@
 
 namespace suture::blocks {
 
-/// A scene by the program's own stages, with everything at its default but the way.
+/// Solves a scene by the program's stages, with everything at its default except the method.
 struct Solved {
   bool converged = false;
   std::string failure;
-  Vector deformation, motion;  ///< motions of the mesh's nodes, on all ranks: those found, and those taken out before
+  Vector deformation, motion;  ///< motions of the mesh's nodes, on all ranks: those computed, and those taken out before
   std::vector<PairResult> pairs;
   Verification verdict;
   std::vector<std::string> notes;

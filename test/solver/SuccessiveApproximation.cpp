@@ -1,5 +1,5 @@
-// The stacked blocks of doc/numerics.md: where the paper's successive approximations contract, how fast, and where not. Two blocks
-// [0,4] x [0,1] and [0,4] x [1,2]; Young modulus 1, but alpha within 0.5 of the contact line, which is the contact group.
+// The stacked blocks of doc/numerics.md: where the paper's successive approximations contract, how fast, and where not. Two blocks [0,4] x
+// [0,1] and [0,4] x [1,2]; Young modulus 1, but alpha within 0.5 of the contact line, which is the contact group.
 #include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -27,7 +27,7 @@ struct StepRows : Monitor {
   int active = 0;
 
   /// First step whose error in the energy norm, relative to the solution, is below `tolerance`: the error that (41) bounds. The energy is
-  /// all strain energy here (only displacements are prescribed), and the last one stands for the solution's.
+  /// all strain energy here (only displacements are prescribed); the last step replaces the solution.
   int stepsToError(double tolerance) const {
     for (std::size_t k = 0; k < energies.size(); ++k)
       if (energies[k] - energies.back() <= tolerance * tolerance * energies.back()) return static_cast<int>(k) + 1;
@@ -73,7 +73,7 @@ scenes::Scene stackedScene() {
   return scene;
 }
 
-/// The layer of height 1/2 that each element lies in: 0 and 3 are stiff, 1 and 2 soft.
+/// The layer of height 1/2 that contains each element: 0 and 3 are stiff, 1 and 2 soft.
 std::vector<int> layers(const Mesh& mesh) {
   std::vector<int> layer;
   for (int e = 0; e < mesh.elements(); ++e) {
@@ -84,7 +84,7 @@ std::vector<int> layers(const Mesh& mesh) {
   return layer;
 }
 
-/// The blocks, cut in four: subdomains 1 and 2 make the group.
+/// The blocks, cut in four: subdomains 1 and 2 form the group.
 struct StackedBlocks {
   CommPtr comm = Teuchos::DefaultComm<int>::getComm();
   ElasticModel stiff, soft;
@@ -140,7 +140,7 @@ struct StackedBlocks {
   }
 };
 
-/// Contraction of the last steps, free of the first ones' many modes.
+/// Contraction of the last steps, without the many modes of the first ones.
 double observedRate(const std::vector<double>& residuals) {
   const std::size_t n = residuals.size(), last = std::min<std::size_t>(4, n - 1);
   return std::pow(residuals[n - 1] / residuals[n - 1 - last], 1.0 / static_cast<double>(last));
@@ -155,7 +155,7 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, NeedsSevenStepsOnTheSoftGroup) {
   TEST_ASSERT(result.converged);
   TEST_COMPARE(rows.stepsToError(1e-6), >=, 6);
   TEST_COMPARE(rows.stepsToError(1e-6), <=, 8);
-  TEST_EQUALITY(rows.stepsToResidual(1e-6), 5);  // the stopping norm weighs the slow mode less
+  TEST_EQUALITY(rows.stepsToResidual(1e-6), 5);  // the stopping norm weights the slow mode less
   TEST_FLOATING_EQUALITY(result.estimates.at("mu"), 0.30, 0.05);
   TEST_FLOATING_EQUALITY(observedRate(rows.residuals), result.estimates.at("radius"), 0.1);
 }
@@ -170,8 +170,8 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, NeedsSixteenStepsAtTwiceTheStiffness)
   TEST_EQUALITY(rows.stepsToResidual(1e-6), 13);
   TEST_EQUALITY(rows.active, 65 - 29);
   TEST_FLOATING_EQUALITY(result.estimates.at("mu"), 0.61, 0.05);
-  // A prototype had 0.55 at the solution. Here the slowest mode sits where the pairs are closed: the radius stays that of S^0, and the
-  // observed rate is that radius to five digits.
+  // A prototype had 0.55 at the solution. Here the slowest mode is where the pairs are closed: the radius stays that of S^0, and the
+  // observed rate equals that radius to five digits.
   TEST_FLOATING_EQUALITY(result.estimates.at("radius"), 0.608, 0.01);
   TEST_FLOATING_EQUALITY(observedRate(rows.residuals), result.estimates.at("radius"), 0.1);
 }
@@ -195,7 +195,7 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, ConvergesOnAStiffGroupWithAutomaticRe
 
 TEUCHOS_UNIT_TEST(SuccessiveApproximation, EqualsTheMonolithicReferenceAsTheOtherMethodsDo) {
   const double alpha = 0.1;
-  // The reference knows a material a body: its layers count as bodies here, every rank solves it for itself.
+  // The reference has one material per body: its layers count as bodies here, and every rank solves it alone.
   scenes::Scene scene = stackedScene();
   scene.mesh.bodyOfElement = layers(scene.mesh);
   scene.model.bodies = {"0", "1", "2", "3"};

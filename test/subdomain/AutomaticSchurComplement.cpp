@@ -8,7 +8,7 @@ namespace {
 
 using namespace blocks;
 
-// The square's only subdomain with some boundary, kept as Automatic chooses.
+// The square's only subdomain with some boundary, stored as Automatic chooses.
 struct Chosen {
   Scene scene = blocks::square(1, 12, 1.0);
   std::unique_ptr<Blocks> all;

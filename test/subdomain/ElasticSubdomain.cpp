@@ -11,7 +11,7 @@ namespace {
 
 using namespace blocks;
 
-// A bar [0, 2] x [0, 1] in plane stress, held on its left, pulled at its right; without Poisson's effect its halves of different Young
+// A bar [0, 2] x [0, 1] in plane stress, held on its left, pulled at its right; with zero Poisson's ratio its halves of different Young
 // moduli each have a constant strain, which every element can represent.
 struct Bar {
   static constexpr double left = 3.0, right = 50.0, pull = 0.6;
@@ -41,7 +41,7 @@ struct Bar {
   }
 };
 
-// Values of subdomains' free unknowns added up over all ranks, by their global numbers.
+// Values of subdomains' free unknowns summed over all ranks, by their global numbers.
 Vector summed(const Comm& comm, const Blocks& all, int unknowns, const std::function<Vector(const Subdomain&)>& values) {
   Vector mine = Vector::Zero(unknowns), sum(unknowns);
   for (const auto& subdomain : all.subdomains) {
@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(ElasticSubdomain, OfOneBrickIsThatOfABodyOfItsMaterial) {
 }
 
 TEUCHOS_UNIT_TEST(ElasticSubdomain, OfBricksIsTheSumOfThePartsOfEachMaterial) {
-  // The mesh taken apart: all elements of one colour as a mesh of its own, all of the other colour as another.
+  // The mesh taken apart: all elements of one colour in one mesh, all of the other colour in another.
   const double soft = 2.0, hard = 3e5;
   Box box;
   box.nx = 7;
@@ -160,8 +160,8 @@ TEUCHOS_UNIT_TEST(ElasticSubdomain, HasTheLargestYoungModulusAtANode) {
 }
 
 TEUCHOS_UNIT_TEST(ElasticSubdomain, KnowsItsStiffnessAgainstShapeAloneWhereVolumeIsStiff) {
-  // The stiffness is linear in the Lame constant: what is left at zero, from two others with the same shear modulus. Nodes on the left have
-  // axes of their own.
+  // The stiffness is linear in the Lame constant: its value at zero follows from two others with the same shear modulus. Nodes on the left
+  // have rotated axes.
   const auto made = [](double poisson) {
     Box box;
     box.nx = box.ny = 6;

@@ -50,7 +50,7 @@ TEUCHOS_UNIT_TEST(NodalAssembly, IsTheSumOfElementMatrices) {
       TEST_COMPARE((whole - expected(mesh, components, matrices)).norm(), <, 1e-14 * whole.norm());
       TEST_EQUALITY(Matrix(Matrix(sum).triangularView<Eigen::StrictlyUpper>()).norm(), 0.0);
       TEST_ASSERT(sum.isCompressed());
-      for (int j = 0; j < sum.cols(); ++j) {  // rows ascend, as CHOLMOD wants them
+      for (int j = 0; j < sum.cols(); ++j) {  // rows ascend, as CHOLMOD requires
         int last = j - 1;
         for (SparseMatrix::InnerIterator it(sum, j); it; ++it) {
           TEST_ASSERT(it.row() > last);

@@ -59,12 +59,12 @@ TEUCHOS_UNIT_TEST(RigidModes, OfBodiesOfRevolutionAreTheTranslationAlongTheAxis)
     TEST_EQUALITY(modes(2 * node, 0), 0.0);
     TEST_EQUALITY(modes(2 * node + 1, 0), 1.0);
   }
-  TEST_EQUALITY((sectionModes(mesh) - plane).norm(), 0.0);  // the motions that coarse spaces get
+  TEST_EQUALITY((sectionModes(mesh) - plane).norm(), 0.0);  // the motions used by coarse spaces
 }
 
 TEUCHOS_UNIT_TEST(RigidModes, NullSpaceIsWhatTheRowsLeaveFree) {
   TEST_EQUALITY((nullSpace(Matrix(0, 3)) - Matrix::Identity(3, 3)).norm(), 0.0);
-  Matrix rows(5, 3);  // a matrix of rank two, its last rows rounding
+  Matrix rows(5, 3);  // matrix of rank two, its last rows round-off
   rows << 1, 2, 3, 2, 4, 6, 0, 1, -1, 1, 3, 2, 1e-14, 0, 0;
   const Matrix free = nullSpace(rows);
   TEST_EQUALITY(free.cols(), 1);
@@ -96,7 +96,7 @@ TEUCHOS_UNIT_TEST(RigidModes, TwoPartsJoinedAlongALineMoveAsOne) {
 TEUCHOS_UNIT_TEST(RigidModes, HeldRowsAreLeftOut) {
   RigidMember a = part({0, 1}, {{0, 0, 0}, {1, 0, 0}});
   const RigidMember b = part({1, 2}, {{1, 0, 0}, {1, 2, 0}});
-  a.held = a.modes;  // clamped: only the hinge is left, b turns about the point (1, 0)
+  a.held = a.modes;  // clamped: only the hinge remains, b rotates about the point (1, 0)
   const Matrix together = commonRigidMotions({a, b});
   TEST_EQUALITY(together.cols(), 1);
   Vector turning(6);

@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(SchurComplement, IsTheDenseOne) {
       }
 }
 
-// Other loads and prescribed displacements after factoring, against a dense elimination with them; single precision, too.
+// Other loads and prescribed displacements after factoring, against dense elimination; single precision, too.
 TEUCHOS_UNIT_TEST(SchurComplement, TakesOtherLoads) {
   const Scene scene = loadedSquare();
   for (const std::string name : {"Explicit", "Implicit", "Single", "Automatic"}) {
@@ -153,7 +153,7 @@ TEUCHOS_UNIT_TEST(SchurComplement, ASubdomainWithoutInteriorIsItsOwn) {
   TEST_EQUALITY(problem.constantEnergy(), 0.0);
 }
 
-// A factor in single precision changes neither fluxes nor interiors: their errors are squares of its own.
+// A factor in single precision changes neither fluxes nor interiors: their errors are the squares of its error.
 TEUCHOS_UNIT_TEST(SchurComplement, IsTheSameByAFactorInSinglePrecision) {
   using Precision = ImplicitSchurComplement::Precision;
   Scene scene = square(1, 48, 2e11);

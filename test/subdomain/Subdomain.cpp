@@ -7,7 +7,7 @@ namespace {
 
 using namespace blocks;
 
-// A plate [0, 2] x [0, 1], turned by an angle about the origin, held in the normal direction on its left and lower sides, the left one
+// A plate [0, 2] x [0, 1], rotated by an angle about the origin, held in the normal direction on its left and lower sides, the left one
 // displaced by `shift`, and pulled at its right end: plane stress, s = pull along the plate, exact for linear triangles.
 struct Plate {
   static constexpr double young = 7.0, poisson = 0.25, pull = 0.3, shift = 0.02, length = 2.0, height = 1.0;
@@ -125,14 +125,14 @@ TEUCHOS_UNIT_TEST(Subdomain, TakesOtherLoadsAsIfItWereAssembledWithThem) {
   }
 }
 
-// By the matrix and by element loops: two ways to one force, in turned axes and with prescribed components.
+// The same force by the matrix and by element loops, in rotated axes and with prescribed components.
 TEUCHOS_UNIT_TEST(Subdomain, ItsForcesAndLoadsAreThoseOfElementLoops) {
   const Plate plate(0.4);
   const Blocks body(plate.scene, alone(), 3);
   for (const auto& subdomain : body.subdomains) {
     const SubdomainMesh& mesh = subdomain->mesh();
     Vector u(2 * mesh.nodes());
-    for (int i = 0; i < u.size(); ++i) u(i) = std::sin(1.0 + 3.7 * i);  // prescribed components as they come: K u is asked for, not a state
+    for (int i = 0; i < u.size(); ++i) u(i) = std::sin(1.0 + 3.7 * i);  // prescribed components as they are: K u is computed, not a state
     const auto materialOf = [&](int e) -> const Material& { return plate.scene.model.materialOf(mesh, e, mesh.body); };
     const ElementForces found = subdomain->internalForces(u), expected = elementForces(mesh, materialOf, plate.scene.model.plane, u);
     TEST_COMPARE(difference(found.internal, expected.internal), <, 1e-13);
@@ -146,7 +146,7 @@ TEUCHOS_UNIT_TEST(Subdomain, ItsForcesAndLoadsAreThoseOfElementLoops) {
   }
 }
 
-// A subdomain of a user's own physics: the shell checks what it is given.
+// A subdomain with a user's physics: the base class checks its input.
 class Broken : public Subdomain {
  public:
   Broken(const SubdomainMesh& mesh, int size, double diagonal) : Subdomain(mesh), size_(size), diagonal_(diagonal) {}

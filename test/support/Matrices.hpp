@@ -13,7 +13,7 @@ namespace suture::matrices {
 using Sparse = Eigen::SparseMatrix<double>;
 
 // Bilinear squares of an elastic body (both Lame constants 1), written here from the formulas: nodes (nx+1) x (ny+1), nothing held; its
-// kernel are the three rigid modes. Scaled by 24 all entries are whole numbers, so that translations are in the kernel without rounding.
+// kernel is the three rigid modes. Scaled by 24 all entries are whole numbers, so that translations are in the kernel without round-off.
 Sparse floatingBody(int nx, int ny);
 
 // Place of the node of each unknown.

@@ -13,7 +13,7 @@
 
 namespace {
 
-/// Buffer that writes to the console and keeps the text. Teuchos tells the number of tests only there, on rank 0.
+/// Buffer that writes to the console and keeps the text. Teuchos prints the number of tests only there, on rank 0.
 class KeptText : public std::streambuf {
  public:
   std::string text;

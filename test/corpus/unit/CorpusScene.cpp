@@ -1,4 +1,4 @@
-// The random scenes: the same for a seed everywhere, and as varied as they are said to be.
+// The random scenes: the same everywhere for one seed, and as varied as documented.
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <corpus/CorpusScene.hpp>
