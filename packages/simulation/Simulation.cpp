@@ -120,9 +120,8 @@ void Simulation::prepare() {
 void Simulation::prepareMethod() {
   if (hasControlledLoads(scene_)) timed(timers_, "control", [&] { controlLoads(comm_, scene_, cut_.meshes, monitor_); });
   if (!path_)
-    liftWork_ = timed(timers_, "partition", [&] {
-      return takeOutLift(*comm_, scene_.model, cut_.meshes, constraints_, !scene_.laws.restrictSliding());
-    });
+    liftWork_ = timed(timers_, "partition",
+                      [&] { return takeOutLift(*comm_, scene_.model, cut_.meshes, constraints_, !scene_.laws.restrictSliding()); });
   monitor_.shiftEnergy(-liftWork_);
   if (!method_->needsWholeMesh()) forget(mesh_, constraints_, cut_.partition);
   method_ = preparedMethod();
