@@ -69,7 +69,7 @@ TEUCHOS_UNIT_TEST(Answers, OfUniformTensionAreExact) {
   }
 }
 
-/// Pure bending: linear stress, which recovered stresses have up to the surface, and those at centroids do not.
+/// Pure bending: linear stress, which recovered stresses reproduce up to the surface, and centroid stresses do not.
 TEUCHOS_UNIT_TEST(Answers, OfACoupleAreThoseOfTheBeam) {
   const double slope = 4e4;
   const auto scene = [&](const char* nodal) {

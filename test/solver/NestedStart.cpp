@@ -31,7 +31,7 @@ CoarseAnswer linearAnswer(const Blocks& coarse) {
   return answer;
 }
 
-/// Two blocks of other cells than pressedBlocks(), whose nodes do not match those of it.
+/// Two blocks of other cells than in pressedBlocks(), with non-matching nodes.
 Scene quadrilaterals() {
   std::vector<Box> all = twoBoxes(9, 5, 3, 1);
   for (Box& box : all) box.cell = Cell::Quadrilateral4;
