@@ -123,7 +123,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, IsCarriedByTheCoarserSideWhereLinearElementsMeet
   TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.25)), 1);  // on a quarter
 }
 
-TEUCHOS_UNIT_TEST(MortarCurves, WarnsOfAFinerSideThatIsToldToCarryOnACurve) {
+TEUCHOS_UNIT_TEST(MortarCurves, WarnsOfAFinerSideChosenToCarryOnACurve) {
   const auto warnings = [](const Mesh& mesh, const std::string& carrier) {
     int count = 0;
     for (const std::string& note : build(mesh, held, mortar(carrier)).notes) count += note.find("Multipliers On: " + carrier) < 40;

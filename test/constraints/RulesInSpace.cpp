@@ -180,7 +180,7 @@ TEUCHOS_UNIT_TEST(RulesInSpace, TurnWithTheBody) {
   }
 }
 
-TEUCHOS_UNIT_TEST(RulesInSpace, TellContradictionsWithThreeComponents) {
+TEUCHOS_UNIT_TEST(RulesInSpace, ReportContradictionsWithThreeComponents) {
   const Mesh mesh = cube();
   const auto saidOf = [&](const std::vector<Condition>& conditions) -> std::string {
     try {

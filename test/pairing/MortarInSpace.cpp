@@ -315,7 +315,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, FindsTheGapOfCurvedFacesToTheOrderOfTheElements
   }
 }
 
-TEUCHOS_UNIT_TEST(MortarInSpace, TellsFacesThatMeetNowhere) {
+TEUCHOS_UNIT_TEST(MortarInSpace, ReportsFacesThatMeetNowhere) {
   Mesh mesh = facing(Cell::Hexahedron8, 2, 2, Cell::Hexahedron8, 3, 3, 0.0);
   move(mesh, 1, [](Point p) -> Point { return {p[0] + 5, p[1], p[2]}; });
   TEST_THROW(pairsOf(mesh, mortar()), InputError);

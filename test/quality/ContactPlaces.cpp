@@ -73,7 +73,7 @@ TEUCHOS_UNIT_TEST(ContactPlaces, SlidesAreInCellsOfTheFinerSide) {
 }
 
 /// A long row of a large body: slides of pairs in the middle move forces by a small fraction of it.
-TEUCHOS_UNIT_TEST(ContactPlaces, FarFromTheEndsWhatCountsIsTheBody) {
+TEUCHOS_UNIT_TEST(ContactPlaces, AreScaledByTheBodyFarFromTheEnds) {
   for (const bool isBent : {false, true}) {
     Row row;
     for (Deformation& motion : row.motions) motion.extent = 20.0;

@@ -218,7 +218,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, FailByTheCheckThatSeesWhatIsPlanted) {
 }
 
 /// A slip a thousand times smaller than the tolerance has no direction that could contradict that of the force.
-TEUCHOS_UNIT_TEST(FrictionAnswers, TakeNoDirectionFromASlipThatIsRounding) {
+TEUCHOS_UNIT_TEST(FrictionAnswers, TakeNoDirectionFromASlipThatIsRoundOff) {
   for (const int dimension : {2, 3}) {
     RubbingBlocks answer = blocks(Rubs::Slip, dimension);
     shifted(-RubbingBlocks::slid - 1e-12, 0.0)(answer);

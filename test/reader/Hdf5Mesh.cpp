@@ -186,6 +186,6 @@ TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesAChangedBit) {
   TEST_ASSERT(meshtesting::sameEverywhere(said));
 }
 
-TEUCHOS_UNIT_TEST(Hdf5Mesh, SaysThatAFolderCannotBeWritten) {
+TEUCHOS_UNIT_TEST(Hdf5Mesh, ReportsAFolderThatCannotBeWritten) {
   TEST_THROW(writeHdf5Mesh(*world(), sample(), "/no/such/folder/m.h5"), EnvironmentError);
 }

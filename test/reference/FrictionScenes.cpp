@@ -302,7 +302,7 @@ Scene turnedBlock(double angle, std::vector<int>* nodes = nullptr) {
   return scene;
 }
 
-TEUCHOS_UNIT_TEST(FrictionScenes, TheConeInSpaceHasNoPlanes) {
+TEUCHOS_UNIT_TEST(FrictionScenes, TheConeIn3DIsRound) {
   const double angle = 30.0 * kDegree, c = std::cos(angle), s = std::sin(angle);
   for (const LawPtr& law : {dry(0.0, 0.4), dry(0.015, 0.0), dry(0.005, 0.3)}) {
     const Scene straight = with(turnedBlock(0.0), law), turned = with(turnedBlock(angle), law);

@@ -188,7 +188,7 @@ TEUCHOS_UNIT_TEST(ContactFields, JoinThePairsOfALineAndKeepALonelyOne) {
   TEST_EQUALITY(active[2], 0);
 }
 
-TEUCHOS_UNIT_TEST(ContactFields, TellForcesSlipsAndStatesOfPairsThatRub) {
+TEUCHOS_UNIT_TEST(ContactFields, ReportForcesSlipsAndStatesOfSlidingPairs) {
   const std::string folder = sample::folderOf("rubbing"), points = "/VTKHDF/PointData/";
   sample::SampleRun sample(folder);
   prepareFolder(*sample.comm_, folder);

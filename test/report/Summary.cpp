@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
     }
 }
 
-TEUCHOS_UNIT_TEST(Summary, TellsTheLargestConditionAndHowEvenlyTheElementsLie) {
+TEUCHOS_UNIT_TEST(Summary, ReportsTheLargestConditionAndTheBalanceOfElements) {
   sample::SampleRun sample(sample::folderOf("summary"));
   sample.solution_.coarseSize = 7;
   prepareFolder(*sample.comm_, sample.folder_);
@@ -190,7 +190,7 @@ TEUCHOS_UNIT_TEST(Summary, SumsUpFrictionWhereThereIsSome) {
 }
 
 // A linear field: all stresses follow Hooke's law, and the first node is reported.
-TEUCHOS_UNIT_TEST(Summary, TellsTheExtremesAndTheirPlaces) {
+TEUCHOS_UNIT_TEST(Summary, ReportsTheExtremesAndTheirPlaces) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
   writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
@@ -295,7 +295,7 @@ TEUCHOS_UNIT_TEST(Summary, NestsTheResolvedParameters) {
   TEST_EQUALITY(parameters["Partition"]["METIS"]["Seed"].get<int>(), 7);
 }
 
-TEUCHOS_UNIT_TEST(Summary, SaysThatARunFailed) {
+TEUCHOS_UNIT_TEST(Summary, ReportsAFailedRun) {
   sample::SampleRun sample(sample::folderOf("summary"));
   sample.solution_.converged = false;
   sample.solution_.failure = "50 iterations were not enough";
@@ -309,7 +309,7 @@ TEUCHOS_UNIT_TEST(Summary, SaysThatARunFailed) {
   TEST_ASSERT(all["energy"].is_null());
 }
 
-TEUCHOS_UNIT_TEST(Summary, SaysWhichErrorsAreKnown) {
+TEUCHOS_UNIT_TEST(Summary, ReportsTheKnownErrors) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
   const auto written = [&] {

@@ -234,7 +234,7 @@ TEUCHOS_UNIT_TEST(Coupling, MovesAHeldGroupAsAConditionDoes) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Coupling, InSpaceTractionsAreThoseOfACondition) {
+TEUCHOS_UNIT_TEST(Coupling, In3DTractionsAreThoseOfACondition) {
   const Field field = [](const Point& p) { return Point{1e3 * p[1], -2e3 * p[0], 3e4 + 1e4 * p[0]}; };
   for (const Cell cell : {Cell::Tetrahedron4, Cell::Hexahedron20}) {
     const auto scene = [cell = cell](const std::vector<Load>& loads) {

@@ -60,7 +60,7 @@ TEUCHOS_UNIT_TEST(LoadControl, LeavesTheTargetToTheVerdict) {
   TEST_ASSERT(!targetCheck(*blocks::world(), other, simulation.meshes(), solution).holds());
 }
 
-TEUCHOS_UNIT_TEST(LoadControl, TellsATargetThatNothingReaches) {
+TEUCHOS_UNIT_TEST(LoadControl, ReportsATargetThatNothingReaches) {
   Simulation simulation(blocks::world(), pulledBar(Load::meanDisplacement("bar_left", 0, 1e-3), {}));
   std::string text;
   try {

@@ -224,7 +224,7 @@ std::string complaint(const Stack& stack) {
   return "";
 }
 
-TEUCHOS_UNIT_TEST(Loads, TellsWhichMotionAnElasticSupportLeavesFree) {
+TEUCHOS_UNIT_TEST(Loads, ReportsTheMotionThatAnElasticSupportLeavesFree) {
   Stack stack;
   stack.held = {Condition::displacement("lower_bottom", {0, 0})};
   stack.contacts.clear();
