@@ -116,7 +116,7 @@ TEUCHOS_UNIT_TEST(MortarCurves, IsCarriedByTheCoarserSideWhereLinearElementsMeet
   TEST_EQUALITY(carrier(twoRings(P1, 0.1)), 0);               // 12 elements against 17
   TEST_EQUALITY(carrier(twoRings(P2, 0.1)), 1);               // their sides can bend
   TEST_EQUALITY(carrier(twoBoxes(0, 4, 12, 17, P1, P1)), 1);  // straight
-  TEST_EQUALITY(carrier(twoRings(P1, P2, 0.1)), 0);           // linear elements against such that bend
+  TEST_EQUALITY(carrier(twoRings(P1, P2, 0.1)), 0);           // linear elements against elements that bend
   TEST_EQUALITY(carrier(twoRings(P2, P1, 0.1)), 1);
   // A fine shoe covered completely by the coarse ring: the pressure ends with the shoe, unless the shoe is much finer.
   TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.5)), 0);   // 12 elements on half of 17

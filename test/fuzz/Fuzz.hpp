@@ -35,7 +35,7 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// A folder of this process, in memory if the system has such a place, removed at the end.
+/// A folder of this process, in memory if possible, removed at the end.
 class Folder {
  public:
   Folder() {

@@ -159,7 +159,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, BalancesTheMomentsOfEachPair) {
         return scaled((2 + p[2]) / norm(ray), ray);
       });
       Contact contact = mortar();
-      contact.geometry = Contact::Geometry::Facets;  // else the gap is that between the smooth faces
+      contact.geometry = Contact::Geometry::Facets;  // otherwise the gap is that between the smooth faces
       for (const ContactPair& pair : pairsOf(mesh, contact).pairs) {
         const Point way = minus(meanPlace(mesh, pair, false), meanPlace(mesh, pair, true));
         TEST_COMPARE(norm(cross(way, pair.normal)), <, 1e-12);

@@ -108,7 +108,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, SlideBesideTheirPartners) {
         }
 }
 
-/// Glued blocks, the upper one drawn apart: the force of half a square's shear at two places.
+/// Glued blocks, the upper one pulled away: the force of half a square's shear at two places.
 TEUCHOS_UNIT_TEST(FrictionAnswers, MissTheMomentAcrossAGap) {
   for (const double gap : {0.01, 0.1, 0.2}) {
     RubbingBlocks answer = blocks(Rubs::Glued, 2);

@@ -59,7 +59,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-// Message of the reader for a file that is sound except for the change that `change` makes to the mesh.
+// Message of the reader for a valid mesh after `change` has modified it.
 std::string saidAbout(const std::function<void(Mesh&)>& change) {
   const Folder folder;
   Mesh mesh = sample();

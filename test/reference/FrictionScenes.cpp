@@ -115,7 +115,7 @@ TEUCHOS_UNIT_TEST(FrictionScenes, PushesABlockOverAPlane) {
   }
 }
 
-// V17, SSNV503 of Code_Aster: 300 N/mm2 on 40 mm press with 12 kN, of which .3 are 3600 N; a spring of 4 N/mm takes what is more.
+// V17, SSNV503 of Code_Aster: 300 N/mm2 on 40 mm press with 12 kN, of which .3 are 3600 N; a spring of 4 N/mm takes the excess.
 TEUCHOS_UNIT_TEST(FrictionScenes, APadSlidesUntilItsSpringCarriesTheRest) {
   for (const double pull : {178.2, 181.8}) {
     Box box;

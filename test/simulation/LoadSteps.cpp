@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, APathWithFrictionIsTheReferencesPath) {
   alone.solve();
   TEST_ASSERT(path.simulation.ending() == ExitCode::Done && reference.simulation.ending() == ExitCode::Done);
   TEST_COMPARE(distanceBetween(path, reference), <, 1e-8);
-  TEST_COMPARE(distanceBetween(path, alone), >, 1e-3);  // the way there matters
+  TEST_COMPARE(distanceBetween(path, alone), >, 1e-3);  // the path matters
   double mine = 0.0;
   for (const PairResult& pair : a.pairs) {
     mine += pair.dissipated;

@@ -47,7 +47,7 @@ struct Stack {
   }
 };
 
-/// Displacement of a node of the mesh. Plain.
+/// Displacement of a mesh node; trivially copyable.
 struct Moved {
   GlobalId node;
   double u[2];
