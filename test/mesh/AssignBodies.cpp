@@ -167,7 +167,7 @@ TEUCHOS_UNIT_TEST(Mesh, HashSeesEveryChangeAndNothingElse) {
   others[2].elementGroups["lower"].pop_back();
   others[3].sideGroups["lower_top"][0].side += 1;
   others[4].sideGroups["new"];
-  // Numbers are hashed by four sums in turn: exchanged within one, between two, the last number changed, one number more.
+  // Numbers are hashed in four interleaved chains: exchanged within one, between two, the last number changed, one number more.
   std::swap(others[5].coordinates[1], others[5].coordinates[1 + 4 * 2]);
   std::swap(others[6].coordinates[0], others[6].coordinates[1 + 4 * 2]);
   others[7].coordinates.back() += 1e-15;
