@@ -33,7 +33,7 @@ int mistakes(unsigned seed) {
   return wrong;
 }
 
-TEUCHOS_UNIT_TEST(AlignedVector, PiecesBeginAtALineAndDoNotMeet) { TEST_EQUALITY(mistakes(1), 0); }
+TEUCHOS_UNIT_TEST(AlignedVector, PiecesAreAlignedAndDoNotOverlap) { TEST_EQUALITY(mistakes(1), 0); }
 
 TEUCHOS_UNIT_TEST(AlignedVector, ServesSeveralThreads) {
   int wrong[3];
@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(AlignedVector, LargerThanAChunkIsPossible) {
   TEST_EQUALITY(next[0], 2.0);
 }
 
-TEUCHOS_UNIT_TEST(AlignedVector, WhatIsFreedGoesBack) {
+TEUCHOS_UNIT_TEST(AlignedVector, FreedMemoryIsReturnedToTheSystem) {
   const double piece = 1 << 20;
   const int pieces = 100;
   const double before = resident();

@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(Decompositions, SingularValuesAreThoseTheMatrixWasMadeOf) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Decompositions, NullSpaceOfAWideMatrixIsWhatItsRowsDoNotSee) {
+TEUCHOS_UNIT_TEST(Decompositions, NullSpaceOfAWideMatrixIsOrthogonalToItsRows) {
   const Matrix rows = withValues(Eigen::Vector2d(1.0, 3.0), 5).transpose();  // 2 x 5
   const Matrix z = nullSpace(rows);
   TEST_EQUALITY(z.cols(), 3);
@@ -43,7 +43,7 @@ TEUCHOS_UNIT_TEST(Decompositions, NullSpaceOfAWideMatrixIsWhatItsRowsDoNotSee) {
   TEST_COMPARE((z.transpose() * z - Matrix::Identity(3, 3)).norm(), <, 1e-14);
 }
 
-TEUCHOS_UNIT_TEST(Decompositions, NullSpaceCountsWhatIsBelowTheThresholdAsZero) {
+TEUCHOS_UNIT_TEST(Decompositions, NullSpaceCountsValuesBelowTheThresholdAsZero) {
   const Matrix m = withValues(Eigen::Vector3d(1.0, 1e-9, 1e-11), 6);
   TEST_EQUALITY(nullSpace(m).cols(), 1);
   TEST_EQUALITY(nullSpace(m, 1e-8).cols(), 2);

@@ -40,7 +40,7 @@ TEUCHOS_UNIT_TEST(PartialCholesky, FactorsTheTriangleAndTheRowsBelow) {
     }
 }
 
-TEUCHOS_UNIT_TEST(PartialCholesky, SaysWhichPivotIsNotPositive) {
+TEUCHOS_UNIT_TEST(PartialCholesky, ReportsThePivotThatIsNotPositive) {
   for (const int columns : {1, 9, 30})
     for (const int bad : {0, columns / 2, columns - 1})
       for (const double value : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {

@@ -140,7 +140,7 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsKeptInDoublePrecisionWhereStiffnes
   TEST_COMPARE((c * x).norm(), <, 1e-6 * x.norm());
 }
 
-TEUCHOS_UNIT_TEST(SparseConstrainedInverse, SaysWhereItIsNot) {
+TEUCHOS_UNIT_TEST(SparseConstrainedInverse, RefusesSystemsThatItCannotInvert) {
   const Springs springs;
   const auto n = static_cast<int>(springs.boundary.size());
   const Matrix translation = Matrix::Ones(springs.stiffness.rows(), 1);

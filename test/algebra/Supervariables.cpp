@@ -84,7 +84,7 @@ TEUCHOS_UNIT_TEST(PermutedLower, IsTheTriangleOfThePermutedMatrix) {
     TEST_ASSERT(std::is_sorted(lower.innerIndexPtr() + lower.outerIndexPtr()[j], lower.innerIndexPtr() + lower.outerIndexPtr()[j + 1]));
 }
 
-TEUCHOS_UNIT_TEST(Supervariables, AreOrderedByMetisInSpaceOnly) {
+TEUCHOS_UNIT_TEST(Supervariables, AreOrderedByMetisIn3DOnly) {
   const NodeGrid plane(24, 24, 1, 2), space(8, 8, 8, 3);
   TEST_EQUALITY(CholmodFactor(plane.matrix).statistics().ordering, std::string("AMD"));
   const CholmodFactor factor(space.matrix);

@@ -25,7 +25,7 @@ SparseMatrix sparse(int n, double density, unsigned seed) {
   return matrix;
 }
 
-TEUCHOS_UNIT_TEST(SymmetricMatrix, GivesBackWhatItWasMadeOf) {
+TEUCHOS_UNIT_TEST(SymmetricMatrix, ReturnsTheMatrixItWasMadeOf) {
   for (const double density : {0.0, 0.1, 0.5, 1.0})
     for (const int n : {0, 1, 2, 17}) {
       const SparseMatrix both = sparse(n, density, 7);
@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(SymmetricMatrix, MultipliesVectorsAndSeveral) {
   TEST_COMPARE((one - both * x.col(1)).norm(), <, 1e-14 * scale);
 }
 
-TEUCHOS_UNIT_TEST(SymmetricMatrix, DoesNotReadWhatIsAboveTheDiagonal) {
+TEUCHOS_UNIT_TEST(SymmetricMatrix, DoesNotReadAboveTheDiagonal) {
   SparseMatrix both = sparse(9, 1.0, 11);
   const Matrix expected(both);
   for (int j = 0; j < 9; ++j)

@@ -33,7 +33,7 @@ TEUCHOS_UNIT_TEST(UpdatedInverse, IsTheSaddleProblemsSolution) {
     int n, kernel;
     double orders, rounding;  // the last one is kept in single precision
   };
-  const std::vector<std::vector<int>> changes{{0, 1, 2, 3, 4},                               // nothing
+  const std::vector<std::vector<int>> changes{{0, 1, 2, 3, 4},                               // unchanged
                                               {4, 2, 0, 1, 3},                               // reordered
                                               {0, 1, 2, 4},        {0, 2, 4},                // fewer
                                               {0, 1, 2, 3, 4, -1}, {-1, 0, 1, -1, 2, 3, 4},  // more

@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-TEUCHOS_UNIT_TEST(WorkSpace, ASingleColumnLiesInWhatIsKept) {
+TEUCHOS_UNIT_TEST(WorkSpace, ASingleColumnUsesTheKeptMemory) {
   std::vector<double> kept;
   const WorkSpace large(100, 1, kept);
   TEST_EQUALITY(large.values.rows(), 100);
@@ -20,7 +20,7 @@ TEUCHOS_UNIT_TEST(WorkSpace, ASingleColumnLiesInWhatIsKept) {
   }
 }
 
-TEUCHOS_UNIT_TEST(WorkSpace, SeveralColumnsAreTheirOwn) {
+TEUCHOS_UNIT_TEST(WorkSpace, SeveralColumnsAreAllocatedSeparately) {
   std::vector<double> kept(3, 5.0);
   WorkSpace first(40, 3, kept), second(40, 3, kept);
   first.values.setConstant(1.0);

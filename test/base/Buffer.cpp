@@ -7,7 +7,7 @@ namespace {
 
 using namespace suture;
 
-TEUCHOS_UNIT_TEST(Buffer, GivesBackWhatWasPutInTheSameOrder) {
+TEUCHOS_UNIT_TEST(Buffer, ReturnsItsContentInOrder) {
   Packer packer;
   packer.put(42);
   packer.put(std::string("with \0 inside", 13));

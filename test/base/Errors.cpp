@@ -27,7 +27,7 @@ TEUCHOS_UNIT_TEST(Errors, NearestNamePrefersTheNearest) {
   TEST_EQUALITY(nearestName("left_sode", {"left_slide", "left_side"}), "left_side");
 }
 
-TEUCHOS_UNIT_TEST(Errors, UnknownNameListsWhatIsKnownInOrder) {
+TEUCHOS_UNIT_TEST(Errors, UnknownNameListsTheKnownOnesInOrder) {
   TEST_EQUALITY(unknownName("curve group", "botom", {"top", "bottom"}),
                 "no such curve group 'botom'. Did you mean 'bottom'? Known here: bottom, top");
   TEST_EQUALITY(unknownName("body", "x", {}), "no such body 'x'. None are known here.");
@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(Errors, JoinNamesCutsLongLists) {
   TEST_EQUALITY(joinNames({"a", "b", "c"}, 2), "a, b ... (3 in all)");
 }
 
-TEUCHOS_UNIT_TEST(Errors, InputErrorSaysOneLineAProblem) {
+TEUCHOS_UNIT_TEST(Errors, InputErrorPrintsOneLinePerProblem) {
   const InputError error(std::vector<Problem>{{"a/b", "is wrong"}, {"", "so is all"}});
   TEST_EQUALITY(std::string(error.what()), "a/b: is wrong\nso is all");
   TEST_ASSERT(error.code() == ExitCode::Input);

@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(Expression, CopiesDoNotDisturbEachOther) {
   TEST_EQUALITY(f.at({1, 2, 0}), 21.0);
 }
 
-TEUCHOS_UNIT_TEST(Expression, TellsAllUnknownNamesWithTheNearest) {
+TEUCHOS_UNIT_TEST(Expression, ReportsAllUnknownNamesWithTheNearest) {
   const std::string text = messageOf("lamda * x + sqt(y) - q", {{"lambda", 1.0}});
   TEST_ASSERT(has(text, "Load/Expression x: "));
   TEST_ASSERT(has(text, "'lamda' (did you mean 'lambda'?)"));
@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(Expression, TellsAllUnknownNamesWithTheNearest) {
   TEST_ASSERT(has(text, "Variables: x, y. Constants: lambda, pi. Functions: abs, acos"));
 }
 
-TEUCHOS_UNIT_TEST(Expression, TellsWhereTheTextIsNoExpression) {
+TEUCHOS_UNIT_TEST(Expression, ReportsThePlaceOfASyntaxError) {
   TEST_ASSERT(has(messageOf("2*(x"), "at character 5 (the end)"));
   TEST_ASSERT(has(messageOf("x y"), "at character 3 ('y')"));
   TEST_ASSERT(has(messageOf("x ** 2"), "at character 4 ('* 2')"));
@@ -73,7 +73,7 @@ TEUCHOS_UNIT_TEST(Expression, TellsWhereTheTextIsNoExpression) {
   for (const char* bad : {"1e", "x#", "é", "!x", "\"a\"", "x +", ") x", "0x10", "a.b"}) TEST_INEQUALITY(messageOf(bad), "");
 }
 
-TEUCHOS_UNIT_TEST(Expression, TellsWhereItsValueIsNotFinite) {
+TEUCHOS_UNIT_TEST(Expression, ReportsWhereItsValueIsNotFinite) {
   const Expression f("1 / (x - y)", {}, "Load/Expression x");
   TEST_EQUALITY(f.at({3, 1, 0}), 0.5);
   try {
@@ -114,7 +114,7 @@ TEUCHOS_UNIT_TEST(Constants, WithNamesThatNoExpressionCanUseAreProblems) {
   TEST_EQUALITY(problems.list().back().path, "Gap");
 }
 
-TEUCHOS_UNIT_TEST(Functions, StandForTheirValuesInOthers) {
+TEUCHOS_UNIT_TEST(Functions, MayBeUsedInOtherFunctions) {
   const SceneFile file = parseScene(R"xml(<ParameterList>
     <ParameterList name="Constants"><Parameter name="E" value="2"/><Parameter name="nu" value="0.25"/></ParameterList>
     <ParameterList name="Functions"><Parameter name="mu" value="E/(2*(1 + nu))"/><Parameter name="r" value="sqrt(x^2 + y^2)"/>
@@ -163,7 +163,7 @@ TEUCHOS_UNIT_TEST(Expression, MayBeAFunctionOfTheProgram) {
 }  // namespace
 
 // In 3D an expression depends on three coordinates; in 2D z is a name like any other.
-TEUCHOS_UNIT_TEST(Expression, KnowsZInSpace) {
+TEUCHOS_UNIT_TEST(Expression, HasZIn3DOnly) {
   Constants space;
   space.dimension = 3;
   const Expression f("x + 10*y + 100*z", space);

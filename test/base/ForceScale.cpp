@@ -31,7 +31,7 @@ TEUCHOS_UNIT_TEST(ForceScale, LendsNoMoreThanTheNeighbourHasWhereItCarriesMore) 
   TEST_FLOATING_EQUALITY(scales[0].force, 1e-4, 1e-12);
 }
 
-TEUCHOS_UNIT_TEST(ForceScale, IsRoundingOfThePathWhereNothingActsAnyMore) {
+TEUCHOS_UNIT_TEST(ForceScale, IsRoundOffOfThePathWhereNothingActsAnyMore) {
   const std::vector<BodyForces> past{loaded(5.0), carrying(5.0), carrying(0.0)};
   const auto scales = ForceScale::of({carrying(1e-14), carrying(1e-14), carrying(0.0)}, past, Neighbours{{0, 1}, {1, 2}});
   for (int b = 0; b < 3; ++b) TEST_FLOATING_EQUALITY(scales[b].rounded, 5e-12, 1e-12);

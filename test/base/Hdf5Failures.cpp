@@ -21,7 +21,7 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesAPlaceThatCannotBeWritten) {
   TEST_THROW(Hdf5File::create(*world(), "/dev/null/file.h5"), EnvironmentError);
 }
 
-TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesWhatIsNoWholeHdf5File) {
+TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesIncompleteHdf5Files) {
   const CommPtr comm = world();
   TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, "missing.h5"); }), "missing.h5: cannot be read: No such file or directory");
   TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, "."); }), ".: is a folder; expected an HDF5 file");
@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesTextsOfADamagedHeap) {
 
 // A full disk, simulated by a limit on file sizes; the limit is lifted before the file is closed, since HDF5 then extends it to its full
 // length. Pieces are small enough that HDF5 keeps some of them in its cache.
-TEUCHOS_UNIT_TEST(Hdf5Failures, TellsThatTheDiskIsFullWhilePiecesAreWritten) {
+TEUCHOS_UNIT_TEST(Hdf5Failures, ReportsAFullDiskWhilePiecesAreWritten) {
   const CommPtr comm = world();
   const std::string path = nameOf("full");
   rlimit before;

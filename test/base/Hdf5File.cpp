@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, RowsOfAllRanksFollowEachOther) {
 }
 
 // Longer than one write, on some ranks only, and no multiple of it.
-TEUCHOS_UNIT_TEST(Hdf5File, LongRowsComeBackWhole) {
+TEUCHOS_UNIT_TEST(Hdf5File, LongRowsAreReadCompletely) {
   const CommPtr comm = world();
   const int rank = comm->getRank(), ranks = comm->getSize();
   const std::string path = nameOf("long");
@@ -145,7 +145,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, IsNotThereBeforeItIsClosed) {
   TEST_ASSERT(!std::filesystem::exists(path + ".part"));
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, KeepsTheOldFileUntilTheNewOneIsWhole) {
+TEUCHOS_UNIT_TEST(Hdf5File, KeepsTheOldFileUntilTheNewOneIsComplete) {
   const CommPtr comm = world();
   const std::string path = nameOf("old");
   for (const int value : {1, 2}) {
@@ -158,7 +158,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, KeepsTheOldFileUntilTheNewOneIsWhole) {
   removeOnRoot(path);
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, SaysWhatIsMissingAndWhatIsThere) {
+TEUCHOS_UNIT_TEST(Hdf5File, ReportsMissingAndExistingDatasets) {
   const CommPtr comm = world();
   const std::string path = nameOf("missing");
   {

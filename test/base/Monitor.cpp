@@ -25,13 +25,13 @@ void iterate(Monitor& monitor) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Monitor, ListenerHearsWhatItOverridesThroughTheBase) {
+TEUCHOS_UNIT_TEST(Monitor, ListenerReceivesOverriddenEventsThroughTheBase) {
   Recorder recorder;
   iterate(recorder);
   TEST_ASSERT((recorder.iterations == std::vector<int>{1, 2, 3}));
 }
 
-TEUCHOS_UNIT_TEST(Monitor, AsksForNoInnerIterationsByItself) {
+TEUCHOS_UNIT_TEST(Monitor, WantsNoInnerIterationsByDefault) {
   Monitor silent;
   TEST_NOTHROW(iterate(silent));
   TEST_ASSERT(!silent.wantsInner());

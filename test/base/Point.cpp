@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(Point, UnitVectorsAlongAxesAreExact) {
   TEST_FLOATING_EQUALITY(norm(nearly), 1.0, 1e-15);
 }
 
-TEUCHOS_UNIT_TEST(Point, AnglesAreThoseOfSpace) {
+TEUCHOS_UNIT_TEST(Point, AnglesAreThoseIn3D) {
   TEST_FLOATING_EQUALITY(angleBetween({1, 0, 0}, {0, 0, 2}), pi / 2, 1e-15);
   TEST_FLOATING_EQUALITY(angleBetween({1, 1, 0}, {-1, -1, 0}), pi, 1e-15);
   TEST_FLOATING_EQUALITY(angleBetween({1, 1, 1}, {1, 0, 0}), std::acos(1 / std::sqrt(3.0)), 1e-14);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace suture;
 
-TEUCHOS_UNIT_TEST(Progress, TellsPhaseStepAndCount) {
+TEUCHOS_UNIT_TEST(Progress, ReportsPhaseStepAndCount) {
   const CommPtr comm = Teuchos::DefaultComm<int>::getComm();
   Progress progress;
   Timers timers;
@@ -33,7 +33,7 @@ TEUCHOS_UNIT_TEST(Progress, TellsPhaseStepAndCount) {
   TEST_ASSERT(inside.since > 0.0 && inside.since <= Timers::now());
 }
 
-TEUCHOS_UNIT_TEST(Progress, TellsIterations) {
+TEUCHOS_UNIT_TEST(Progress, ReportsIterations) {
   Progress progress;
   const Progress::Watch watch(progress);
   Progress::phase("solve");
@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(Progress, TellsIterations) {
   TEST_EQUALITY(progress.state().phase, "");
 }
 
-TEUCHOS_UNIT_TEST(Progress, IsToldByTheThreadThatIsWatchedOnly) {
+TEUCHOS_UNIT_TEST(Progress, ComesFromTheWatchedThreadOnly) {
   Progress outer, inner;
   const Progress::Watch watch(outer);
   {

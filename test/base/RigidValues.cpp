@@ -4,7 +4,7 @@
 namespace suture {
 namespace {
 
-TEUCHOS_UNIT_TEST(RigidValues, AreThoseOfAQuarterTurnInThePlane) {
+TEUCHOS_UNIT_TEST(RigidValues, AreThoseOfAQuarterTurnIn2D) {
   TEST_EQUALITY(rigidMotions(2), 3);
   const Point moved = rigidDisplacement<double>({10, 20, 0}, {0, 0, 1}, {3, 4, 0});
   TEST_ASSERT(moved == (Point{10 - 4, 20 + 3, 0}));

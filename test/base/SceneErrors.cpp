@@ -7,7 +7,7 @@ namespace {
 using namespace suture;
 using namespace suture::scenes;
 
-TEUCHOS_UNIT_TEST(SceneErrors, RefusesAnIntThatIsNone) {
+TEUCHOS_UNIT_TEST(SceneErrors, RefusesTextForAnInt) {
   for (const std::string bad : {"abc", "3.7", "", "5x", "99999999999", "1e2"}) {
     TEST_ASSERT(
         contains(errorOfSolver(parameter("Maximum Iterations", "int", bad)), "Outer Solver/Maximum Iterations: '" + bad + "' is not"));
@@ -16,7 +16,7 @@ TEUCHOS_UNIT_TEST(SceneErrors, RefusesAnIntThatIsNone) {
   }
 }
 
-TEUCHOS_UNIT_TEST(SceneErrors, RefusesADoubleThatIsNone) {
+TEUCHOS_UNIT_TEST(SceneErrors, RefusesTextForADouble) {
   for (const std::string bad : {"1e-8x", "", "nan", "inf", "-inf", "1e999", "1,5", "{1}"})
     TEST_EQUALITY(errorOfSolver(parameter("Tolerance", "double", bad)),
                   "Outer Solver/Tolerance: '" + bad + "' is not a (finite) number: expected a number, > 0");
@@ -45,7 +45,7 @@ TEUCHOS_UNIT_TEST(SceneErrors, RefusesAnEmptyFile) {
   TEST_ASSERT(errorOf("<!-- nothing but a remark -->") != "");
 }
 
-TEUCHOS_UNIT_TEST(SceneErrors, RefusesWhatIsNoParameterList) {
+TEUCHOS_UNIT_TEST(SceneErrors, RefusesXmlWithoutAParameterList) {
   TEST_EQUALITY(errorOf("<html/>"), "dir/scene.xml: the outermost element must be <ParameterList>, found <html>");
   TEST_ASSERT(contains(errorOf(scene("<Paramter name=\"Title\" value=\"x\"/>")), "no such element <Paramter>. Did you mean 'Parameter'?"));
   TEST_ASSERT(contains(errorOf(scene("stray")), "text outside of any attribute: 'stray'"));
@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(SceneErrors, NamesTheNearestForAnUnknownParameter) {
                 "Outer Solver/Tolerence: no such parameter. Did you mean 'Tolerance'? Known here: Maximum Iterations, Tolerance, Type");
 }
 
-TEUCHOS_UNIT_TEST(SceneErrors, SaysWhereAMisplacedParameterBelongs) {
+TEUCHOS_UNIT_TEST(SceneErrors, NamesTheListOfAMisplacedParameter) {
   TEST_ASSERT(contains(errorOfSolver(parameter("Inner Tolerance", "double", "1")), "A parameter of this name exists in Newton"));
 }
 
@@ -90,7 +90,7 @@ TEUCHOS_UNIT_TEST(SceneErrors, RefusesAWrongType) {
                        "Load/Value: '{1.5}' is not of its type Array(int)"));
 }
 
-TEUCHOS_UNIT_TEST(SceneErrors, RefusesWhatIsOutOfRangeWithTheReason) {
+TEUCHOS_UNIT_TEST(SceneErrors, RefusesValuesOutOfRangeWithTheReason) {
   TEST_EQUALITY(errorOf(scene(list("Material", parameter("Poisson Ratio", "double", "0.5")))),
                 "Material/Poisson Ratio: 0.5 is not below 0.5, it must lie in (-1, 0.5) (an incompressible body needs a mixed element)");
   TEST_EQUALITY(errorOfSolver(parameter("Tolerance", "double", "0")), "Outer Solver/Tolerance: 0 is not above 0");
@@ -111,7 +111,7 @@ TEUCHOS_UNIT_TEST(SceneErrors, ChecksTheListsOfChoicesNotTaken) {
   TEST_EQUALITY(errorOfSolver(list("Chord", parameter("Depth", "int", "-3"))), "Outer Solver/Chord/Depth: -3 is not at least 0");
 }
 
-TEUCHOS_UNIT_TEST(SceneErrors, DemandsWhatTheChoiceTakenNeeds) {
+TEUCHOS_UNIT_TEST(SceneErrors, RequiresTheParametersOfTheChoice) {
   TEST_EQUALITY(errorOfSolver(parameter("Type", "string", "Chord")),
                 "Outer Solver/Chord/Depth: is missing and has no default: of Anderson (expected an integer, >= 0)");
   TEST_EQUALITY(errorOfSolver(parameter("Type", "string", "Chord") + list("Chord", parameter("Depth", "int", "3"))), "");

@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(SceneReader, FillsEveryDefault) {
   TEST_EQUALITY(file.text, scene(""));
 }
 
-TEUCHOS_UNIT_TEST(SceneReader, TellsDefaultsFromWhatWasGiven) {
+TEUCHOS_UNIT_TEST(SceneReader, DistinguishesDefaultsFromGivenValues) {
   const SceneFile file = parse(scene(list("Outer Solver", parameter("Tolerance", "double", "1e-8"))));
   const Parameters& solver = file.parameters->sublist("Outer Solver");
   TEST_ASSERT(!solver.getEntry("Tolerance").isDefault());
@@ -96,7 +96,7 @@ TEUCHOS_UNIT_TEST(SceneReader, NotesParametersOfChoicesThatAreNotTaken) {
 }
 
 // The choice may be a default that fits the rest of the scene, its parameters may be next to it, and it may be nested in another choice.
-TEUCHOS_UNIT_TEST(SceneReader, NotesKnowChoicesThatFitAndStandBesideAndAreWithinOthers) {
+TEUCHOS_UNIT_TEST(SceneReader, NotesHandleFittingAdjacentAndNestedChoices) {
   Schema schema("a scene");
   schema.boolean("Contact", true, "or none")
       .choice("Method", "Direct",
@@ -274,7 +274,7 @@ TEUCHOS_UNIT_TEST(SceneReader, EveryRankThrowsTheSameForAMissingFile) {
 }
 
 // Neither the parser nor the consumers of its result may see these: both recurse for each level.
-TEUCHOS_UNIT_TEST(SceneReader, RefusesWhatIsTooDeep) {
+TEUCHOS_UNIT_TEST(SceneReader, RefusesTooDeepNesting) {
   for (const int depth : {51, 20000, 1000000}) {
     std::string text;
     for (int i = 0; i < depth; ++i) text += "<ParameterList name=\"a>b\">\n<!-- <x> -->";
@@ -286,7 +286,7 @@ TEUCHOS_UNIT_TEST(SceneReader, RefusesWhatIsTooDeep) {
   TEST_ASSERT(!contains(errorOf(wide + "</ParameterList>"), "elements within"));
 }
 
-TEUCHOS_UNIT_TEST(SceneReader, SaysWhatToDoWithAGeometry) {
+TEUCHOS_UNIT_TEST(SceneReader, ExplainsHowToMeshAGeometry) {
   const std::string text = "Point(1) = {0, 0, 0, .3};";
   const auto said = [&](const std::string& path) {
     try {

@@ -21,7 +21,7 @@ Schema solver() {
               "the method");
 }
 
-TEUCHOS_UNIT_TEST(Schema, RangeSaysItsInterval) {
+TEUCHOS_UNIT_TEST(Schema, RangePrintsItsInterval) {
   TEST_EQUALITY(Range::any().text(), "any");
   TEST_EQUALITY(Range::positive().text(), "> 0");
   TEST_EQUALITY(Range::atLeast(1).text(), ">= 1");
@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(Schema, RefusesANameThatIsTaken) {
   TEST_THROW(Schema().real("A/B", 1.0, ""), InternalError);
 }
 
-TEUCHOS_UNIT_TEST(Schema, ParametersOfAChoiceMayStandBesideIt) {
+TEUCHOS_UNIT_TEST(Schema, ParametersOfAChoiceMayBeNextToIt) {
   const Schema laws = Schema().choice(
       "Type", "Plain",
       {{"Plain", Schema("one number").real("Modulus", std::nullopt, "stiffness")}, {"Rich", Schema("many").real("Angle", 0.0, "turn")}},

@@ -42,7 +42,7 @@ TEUCHOS_UNIT_TEST(Timers, StatisticsAreOverAllRanksInTheOrderOfTheFirstBegin) {
   TEST_FLOATING_EQUALITY(all[2].avg, 3.0 / ranks, 1e-15);
 }
 
-TEUCHOS_UNIT_TEST(Timers, PeakMemoryGrowsWithWhatIsTouched) {
+TEUCHOS_UNIT_TEST(Timers, PeakMemoryGrowsWithTouchedPages) {
   const double before = peakMemoryMb();
   std::vector<double> block(64 * 1024 * 1024 / sizeof(double), 1.0);
   TEST_COMPARE(peakMemoryMb(), >=, before + 32.0 * block[block.size() / 2]);

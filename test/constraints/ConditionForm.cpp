@@ -7,7 +7,7 @@
 
 using namespace constraintstesting;
 
-TEUCHOS_UNIT_TEST(ConditionForm, TellsWhatLoadsLackOrHaveTooMuch) {
+TEUCHOS_UNIT_TEST(ConditionForm, ReportsMissingAndSuperfluousParametersOfLoads) {
   const Mesh mesh = stack(1);
   const std::string text =
       said(mesh, bilateral("hold", "b0_bottom") + entry("lost", {{"Type", "Point Force"}, {"Value", "{1, 2}"}}) +
@@ -45,7 +45,7 @@ TEUCHOS_UNIT_TEST(ConditionForm, HoldsABodyByElasticSupportsAsFarAsTheyReach) {
 }
 
 // Values, components and expressions for three directions.
-TEUCHOS_UNIT_TEST(ConditionForm, HasAnEntryForEachDirectionInSpace) {
+TEUCHOS_UNIT_TEST(ConditionForm, HasAnEntryForEachDirectionIn3D) {
   Box box;
   box.name = "b0";
   box.nx = box.ny = box.nz = 2;
@@ -87,7 +87,7 @@ TEUCHOS_UNIT_TEST(ConditionForm, HasAnEntryForEachDirectionInSpace) {
   SUTURE_CHECK_SAYS(said(stack(1), displacement("up", "b0_left", "1", "z")), "up/Components: 'z' in 2D; expected All, x or y");
 }
 
-TEUCHOS_UNIT_TEST(ConditionForm, HoldsABodyInSpaceByElasticSupportsAsFarAsTheyReach) {
+TEUCHOS_UNIT_TEST(ConditionForm, HoldsABodyIn3DByElasticSupportsAsFarAsTheyReach) {
   Box box;
   box.name = "b0";
   box.nx = box.ny = box.nz = 1;

@@ -45,7 +45,7 @@ const std::string joint = contact("joint", "b0_top", "b1_bottom");
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(ContactPairs, StandOppositeOnAStraightLine) {
+TEUCHOS_UNIT_TEST(ContactPairs, FaceEachOtherOnAStraightLine) {
   const Mesh mesh = stack(2);
   const Constraints constraints = build(mesh, "", joint);
   TEST_EQUALITY(constraints.pairs.size(), std::size_t(9));

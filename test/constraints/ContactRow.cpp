@@ -191,7 +191,7 @@ TEUCHOS_UNIT_TEST(ContactRow, SlidesNowhereAcrossAPlaneOfSymmetry) {
 }
 
 // Glued sides stay as meshed; guided or frictional sides close the gap of the mesh. Rows know which pairs can separate.
-TEUCHOS_UNIT_TEST(ContactRow, HasNoGapWhereTheLawTakesTheSidesAsTheyStand) {
+TEUCHOS_UNIT_TEST(ContactRow, HasNoGapWhereTheLawKeepsTheMeshedGap) {
   const Mesh mesh = stack(2);
   Constraints before = build(mesh, bilateral("roller", "b0_left"), contact("line", "b0_top", "b1_bottom"));
   for (ContactPair& pair : before.pairs) pair.gap = 0.25 - 0.5 * (pair.id % 2);

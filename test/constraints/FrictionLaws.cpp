@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, RefuseNegativeCoefficientsAndBounds) {
 }
 
 // The bound may be a function of place that only the contact can evaluate; it is not needed for the normal direction.
-TEUCHOS_UNIT_TEST(FrictionLaws, AskForNoBoundWithoutAPlace) {
+TEUCHOS_UNIT_TEST(FrictionLaws, NeedNoBoundForTheNormalDirection) {
   const auto law = lawNamed("Coulomb", {{"Coefficient", "sqrt(x - 1)"}});
   TEST_ASSERT(law->pressed().status == PairStatus::Stick);
   ContactTrial trial;
@@ -153,7 +153,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, WithoutABoundEveryPushSlides) {
   TEST_EQUALITY(state.largest(1.0), 0.0);
 }
 
-TEUCHOS_UNIT_TEST(FrictionLaws, TiedPairsStickAndGuidedOnesSlideWhateverPullsThem) {
+TEUCHOS_UNIT_TEST(FrictionLaws, TiedPairsStickAndGuidedOnesSlideUnderAnyForce) {
   std::mt19937 random(9);
   const Tied tied;
   const NoSeparation guided;

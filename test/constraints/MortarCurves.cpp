@@ -116,14 +116,14 @@ TEUCHOS_UNIT_TEST(MortarCurves, IsCarriedByTheCoarserSideWhereLinearElementsMeet
   TEST_EQUALITY(carrier(twoRings(P1, 0.1)), 0);               // 12 elements against 17
   TEST_EQUALITY(carrier(twoRings(P2, 0.1)), 1);               // their sides can bend
   TEST_EQUALITY(carrier(twoBoxes(0, 4, 12, 17, P1, P1)), 1);  // straight
-  TEST_EQUALITY(carrier(twoRings(P1, P2, 0.1)), 0);           // linear elements against such that bend
+  TEST_EQUALITY(carrier(twoRings(P1, P2, 0.1)), 0);           // linear elements against elements that bend
   TEST_EQUALITY(carrier(twoRings(P2, P1, 0.1)), 1);
   // A fine shoe covered completely by the coarse ring: the pressure ends with the shoe, unless the shoe is much finer.
   TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.5)), 0);   // 12 elements on half of 17
   TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.25)), 1);  // on a quarter
 }
 
-TEUCHOS_UNIT_TEST(MortarCurves, WarnsOfAFinerSideThatIsToldToCarryOnACurve) {
+TEUCHOS_UNIT_TEST(MortarCurves, WarnsOfAFinerSideChosenToCarryOnACurve) {
   const auto warnings = [](const Mesh& mesh, const std::string& carrier) {
     int count = 0;
     for (const std::string& note : build(mesh, held, mortar(carrier)).notes) count += note.find("Multipliers On: " + carrier) < 40;

@@ -45,7 +45,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, IsClosedByLinearDisplacementsThatAgreeOnBothSides
   }
 }
 
-TEUCHOS_UNIT_TEST(MortarPairs, HasTheLengthOfWhatTheSidesShare) {
+TEUCHOS_UNIT_TEST(MortarPairs, HasTheLengthSharedByTheSides) {
   for (const Case& c : cases)
     for (const std::string carrier : {"Side A", "Side B"}) {
       const Mesh mesh = twoBoxes(c.x0, c.x1, c.upperCells, c.lowerCells, c.upper, c.lower);
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, PassesAConstantPressureOnToBothSides) {
 
 // Forces act at the positions of their pairs, none of them beyond the end of the partner, and have the resultant and the moment of a
 // uniform pressure over the shared part of the sides.
-TEUCHOS_UNIT_TEST(MortarPairs, HandsOnWhatThePartnerDoesNotReach) {
+TEUCHOS_UNIT_TEST(MortarPairs, RedistributesTheUncoveredPart) {
   for (const Case& c : cases)
     for (const std::string carrier : {"Side A", "Side B"}) {
       const Mesh mesh = twoBoxes(c.x0, c.x1, c.upperCells, c.lowerCells, c.upper, c.lower);
@@ -151,7 +151,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, TakesTheGapOfAnExpression) {
     TEST_FLOATING_EQUALITY(pair.gap + 1, 0.01 * pair.position[0] + 1, 1e-12);
 }
 
-TEUCHOS_UNIT_TEST(MortarPairs, IsChosenWhereNodesDoNotMatchAndSaysSo) {
+TEUCHOS_UNIT_TEST(MortarPairs, IsChosenWithANoteWhereNodesDoNotMatch) {
   const Mesh mesh = twoBoxes(0, 4, 8, 13, P1, P1);
   const Constraints constraints = build(mesh, held, contact("joint", "upper_bottom", "lower_top"));
   TEST_EQUALITY(constraints.pairs.size(), 14u);  // pairs of the finer side
@@ -166,7 +166,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, IsChosenWhereNodesDoNotMatchAndSaysSo) {
     }
 }
 
-TEUCHOS_UNIT_TEST(MortarPairs, SaysThatSidesOverlapNowhere) {
+TEUCHOS_UNIT_TEST(MortarPairs, ReportsSidesThatOverlapNowhere) {
   const Mesh apart = twoBoxes(4.5, 6, 8, 8, P1, P1);
   SUTURE_CHECK_SAYS(said(apart, held, mortar()), "Contact/joint: the sides 'upper_bottom' and 'lower_top' overlap nowhere");
   const Mesh mesh = twoBoxes(0, 4, 8, 13, P1, P1);

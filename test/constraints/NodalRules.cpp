@@ -73,7 +73,7 @@ TEUCHOS_UNIT_TEST(NodalRules, HoldTheNormalOfARoller) {
   for (const NodeRule& rule : constraints.rules) {
     TEST_ASSERT(rule.fixed[0] && !rule.fixed[1]);
     TEST_EQUALITY(rule.value[0], 0.0);
-    TEST_FLOATING_EQUALITY(rule.axes[0][0], std::sin(angle), 1e-12);  // outward: down, turned
+    TEST_FLOATING_EQUALITY(rule.axes[0][0], std::sin(angle), 1e-12);  // outward: down, rotated
     TEST_FLOATING_EQUALITY(rule.axes[0][1], -std::cos(angle), 1e-12);
     const Matrix q = axesOf(rule, 2);
     TEST_COMPARE((q * q.transpose() - Matrix::Identity(2, 2)).norm(), <, 1e-14);
@@ -253,7 +253,7 @@ TEUCHOS_UNIT_TEST(NodalRules, TellWhereADisplacementIsNotFinite) {
   SUTURE_CHECK_SAYS(text, "Boundary Conditions/push/Expression y: 'sqrt(x - 10)' is not a number (nan) at (x, y) = (");
 }
 
-/// The force that holds a node is distributed to the conditions behind its rule: each along its own direction, completely.
+/// The force that holds a node is distributed completely to the conditions behind its rule, each along its own direction.
 TEUCHOS_UNIT_TEST(NodalRules, ShareTheForceOfANodeAmongTheirConditions) {
   Mesh mesh = stack(1);
   moveAll(mesh, [](Point p) -> Point { return {p[0] + 0.5 * p[1], p[1], 0}; });  // inclined sides

@@ -180,7 +180,7 @@ TEUCHOS_UNIT_TEST(RulesInSpace, TurnWithTheBody) {
   }
 }
 
-TEUCHOS_UNIT_TEST(RulesInSpace, TellContradictionsWithThreeComponents) {
+TEUCHOS_UNIT_TEST(RulesInSpace, ReportContradictionsWithThreeComponents) {
   const Mesh mesh = cube();
   const auto saidOf = [&](const std::vector<Condition>& conditions) -> std::string {
     try {
@@ -197,7 +197,7 @@ TEUCHOS_UNIT_TEST(RulesInSpace, TellContradictionsWithThreeComponents) {
   SUTURE_CHECK_SAYS(saidOf({pull, Condition::displacement("b0_front", {0.0}, {3})}), "expected components between 0 and 2");
 }
 
-// The force that holds a node is distributed to the conditions behind its rule: each along its own direction, completely.
+// The force that holds a node is distributed completely to the conditions behind its rule, each along its own direction.
 TEUCHOS_UNIT_TEST(RulesInSpace, ShareTheForceOfANodeAmongTheirConditions) {
   Mesh mesh = cube();
   Matrix shear = Matrix::Identity(3, 3);

@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(UnmodelledRim, AreNoneWhereAContactOrAConditionGoesOn) {
 
 TEUCHOS_UNIT_TEST(UnmodelledRim, AreNoneAtACorner) {
   Mesh mesh = blocks();
-  // The upper block turns up by 60 degrees at x = 2.
+  // The upper block bends upwards by 60 degrees at x = 2.
   move(mesh, 1, [](Point p) { return p[0] <= 2 ? p : Point{2 + 0.5 * (p[0] - 2), p[1] + 0.866 * (p[0] - 2), 0}; });
   TEST_ASSERT(openEnds(mesh, contact("left", "b1_bottom_left", "b0_top_left")) == none);
 }

@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(Collapse, IsNamedByTheSearch) {
 }
 
 // These normal forces follow from statics: an obstacle on the way may hold the body, and if the motion closes pairs nothing is reported.
-TEUCHOS_UNIT_TEST(Collapse, SaysNothingWhereBodiesMeetOthers) {
+TEUCHOS_UNIT_TEST(Collapse, ReportsNothingWhereBodiesMeetOthers) {
   std::mt19937 random(23);
   CondensedBody body = pressedBody(random, 2, 6);
   for (int i = 0; i < body.nodes; ++i) body.load(2 * i + 1) = 0.8;

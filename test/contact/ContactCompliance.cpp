@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(ContactCompliance, FindsWhatEnumerationOfAllActiveSetsFinds) {
   TEST_COMPARE(mixed, >, cases / 4);  // otherwise the cases would prove little
 }
 
-TEUCHOS_UNIT_TEST(ContactCompliance, SaysThatABodyIsPushedAway) {
+TEUCHOS_UNIT_TEST(ContactCompliance, ReportsABodyThatIsPushedAway) {
   const Chains chains(4, true, false, 3);
   Matrix v = Matrix::Zero(2 * Chains::each, 1);
   v.bottomRows(Chains::each).setOnes();  // the pairs say v_A - v_B <= g: the floating B is pulled off

@@ -8,7 +8,7 @@ namespace {
 
 using namespace blocks;
 
-TEUCHOS_UNIT_TEST(GroupMemory, CountsWhatTheGroupHas) {
+TEUCHOS_UNIT_TEST(GroupMemory, CountsTheMemoryOfTheGroup) {
   Scene scene = wavyBlocks();
   scene.hold("upper_left", 1, 0.0);
   scene.hold("lower_left", 1, 0.0);  // the first pair cannot move
@@ -22,7 +22,7 @@ TEUCHOS_UNIT_TEST(GroupMemory, CountsWhatTheGroupHas) {
   TEST_COMPARE(memory.stiffnessEntries, <, 1.5 * entries);  // right-angled triangles: a quarter of the entries happen to be zero
 }
 
-TEUCHOS_UNIT_TEST(GroupMemory, IsAboveTwoFactorsAndNotFarAboveWhateverTheShape) {
+TEUCHOS_UNIT_TEST(GroupMemory, IsSlightlyAboveTwoFactorsForAnyShape) {
   for (const auto& [nx, ny, most] : {std::make_tuple(40, 40, 4.0), std::make_tuple(90, 90, 3.5), std::make_tuple(320, 10, 11.0)}) {
     std::vector<Box> all(2);
     all[0].name = "lower";

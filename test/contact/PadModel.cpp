@@ -40,7 +40,7 @@ struct Block {
   }
 };
 
-TEUCHOS_UNIT_TEST(PadModel, SaysWhereTheConesCannotBalanceTheLoads) {
+TEUCHOS_UNIT_TEST(PadModel, DetectsLoadsThatTheConesCannotBalance) {
   // A pyramid of 16 planes about the cone is 2 % too wide: it would miss 1 %.
   const double mu = 0.6;
   for (int k = 0; k < 48; ++k) {

@@ -14,7 +14,7 @@ Matrix row(int bodies) {
   return rows;
 }
 
-TEUCHOS_UNIT_TEST(PadProblem, SharesOutWhatWallsPress) {
+TEUCHOS_UNIT_TEST(PadProblem, DistributesTheForceOfWalls) {
   // The distance between the walls is 0.3 less than the total length of the bodies; pads in series carry equal forces.
   const int bodies = 5;
   const Matrix rows = row(bodies);
@@ -40,7 +40,7 @@ TEUCHOS_UNIT_TEST(PadProblem, MovesUnloadedBodiesApart) {
   }
 }
 
-TEUCHOS_UNIT_TEST(PadProblem, TellsALoadThatNoPadStops) {
+TEUCHOS_UNIT_TEST(PadProblem, ReportsALoadThatNoPadStops) {
   const Matrix rows = Matrix::Constant(1, 1, 1.0);
   const Vector stiffness = Vector::Ones(1), away = Vector::Constant(1, -1.0), against = Vector::Constant(1, 1.0);
   Vector x = Vector::Zero(1), y = Vector::Constant(1, 0.5);

@@ -28,7 +28,7 @@ double gap(Random& random) {
   return random.real(0.0, 10.0);
 }
 
-/// Keeps a box from moving sideways: by a roller at its left, or walls beside it with a push against one of them. Returns the push.
+/// Keeps a box from moving sideways: by a roller at its left, or by walls next to it with a push against one of them. Returns the push.
 double holdSideways(Builder& scene, const std::string& body, double x0, double x1, double y) {
   Random& random = scene.random;
   if (random.chance(0.55)) {
@@ -41,7 +41,7 @@ double holdSideways(Builder& scene, const std::string& body, double x0, double x
   return random.sign() * random.real(0.05, 0.4);
 }
 
-/// Presses a box down: by its top or its weight, with a push sideways; `up` pushes it away instead.
+/// Presses a box down: by a pressure on its top or its weight, with a push sideways; `up` pushes it away instead.
 void press(Builder& scene, const std::string& body, double push, bool up = false) {
   Random& random = scene.random;
   const double down = (up ? 1.0 : -1.0) * random.real(0.3, 1.5);
@@ -174,7 +174,7 @@ void tilted(Builder& scene) {
   scene.body(block);
   scene.fix("ground_bottom");
   scene.contact("ground_top", "block_bottom", true);
-  // Walls that touch the highest or lowest nodes of the legs; the weight leans against one of them.
+  // Walls that touch the highest or lowest nodes of the legs; the weight pushes against one of them.
   const bool right = random.chance(0.5);
   scene.line("block_right", {2, 0, 0}, {-1, 0, 0});
   scene.line("block_left", {-2, 0, 0}, {1, 0, 0});

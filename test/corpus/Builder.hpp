@@ -10,7 +10,7 @@ namespace suture::corpus {
 /// True if a scene has a solution, as far as its construction determines it.
 enum class Expected { Solvable, Unsolvable, Unknown };
 
-/// Collects bodies, conditions and contacts of a scene in lengths of its bodies and stresses of its softest one, then turns, scales and
+/// Collects bodies, conditions and contacts of a scene in lengths of its bodies and stresses of its softest one, then rotates, scales and
 /// renumbers it and writes the scene file.
 class Builder {
  public:
@@ -18,11 +18,11 @@ class Builder {
   Mesh mesh;
   std::string family;
   Expected expected = Expected::Solvable;
-  bool mayTurn = true;  ///< false where a condition or an obstacle is tied to the axes
+  bool mayTurn = true;  ///< false if a condition or an obstacle is tied to the axes
 
   explicit Builder(Random& numbers);
 
-  /// Adds a body with a random material, cell and named cut.
+  /// Adds a body with a random material, cell and named partition.
   void body(GridBody body);
   /// A box [x0, x1] x [bottom(x), top(x)], sides bottom, right, top, left.
   void box(const std::string& name, double x0, double x1, std::function<double(double)> bottom, std::function<double(double)> top, int nx,
@@ -44,12 +44,12 @@ class Builder {
   /// y = level + amplitude cos(wave x + phase); ties the scene to the axes.
   void height(const std::string& side, double level, double amplitude, double wave, double phase);
 
-  /// Ratios of Young moduli: 1, moderate or up to 1e6, drawn once a scene.
+  /// Ratios of Young moduli: 1, moderate or up to 1e6, drawn once per scene.
   double jumps = 0.0;
-  int refinement = 1;  ///< multiplies cells of grids that are not kept
+  int refinement = 1;  ///< multiplies cells of grids whose numbers are not fixed
   int bodies() const { return static_cast<int>(materials_.size()); }
 
-  /// The scene file; afterwards the mesh is turned, scaled and renumbered. \param mesh  name of the mesh file in the text
+  /// The scene file; afterwards the mesh is rotated, scaled and renumbered. \param mesh  name of the mesh file in the text
   std::string finish(const std::string& meshFile);
 
  private:

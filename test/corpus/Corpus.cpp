@@ -64,12 +64,12 @@ std::string oneLine(std::string text) {
   return text.size() > 230 ? text.substr(0, 230) + "..." : text;
 }
 
-/// Runs one scene in all ways. Returns what is wrong, a line each. Collective.
+/// Runs one scene by all methods. Returns the errors, one per line. Collective.
 std::vector<std::string> scene(const CommPtr& comm, const CorpusScene& scene, const Options& options,
                                std::map<std::string, std::map<std::string, Counts>>& table) {
   std::vector<std::string> wrong;
   std::vector<std::pair<const Way*, Outcome>> outcomes;
-  Whole whole;  // the first way whose constraints could be built
+  Whole whole;  // the first method whose constraints could be built
   for (const Way& way : ways()) {
     if (!options.only.empty() && way.name != options.only) continue;
     Whole own;

@@ -119,7 +119,7 @@ std::string Judge::verdict(const Outcome& found) const {
   if (found.forces.size() != whole_.constraints.pairs.size()) return "pairs missing";
   const Scales scale = scales(found);
   std::string worst;
-  double most = 1.0;  // in bounds
+  double most = 1.0;  // within bounds
   worsen(worst, most, found.seam / bound, "seam", "");
   for (int node = 0; node < mesh.nodes(); ++node) {
     const int b = mesh.bodyOfNode[node];
@@ -155,7 +155,7 @@ std::string Judge::verdict(const Outcome& found) const {
 
 namespace {
 
-/// Orthonormal basis of the kernel of sum of row^T row, rows of size about 1.
+/// Orthonormal basis of the kernel of the sum of row^T row, rows of size about 1.
 Matrix kernel(const Matrix& gram) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
   int count = 0;

@@ -19,13 +19,13 @@ class Judge {
  public:
   explicit Judge(const Whole& whole);
 
-  /// Proved either way: by contact forces p >= 0 with B^T p = loads, or by a motion of escape. \throws NumericalError  neither found
+  /// Proved either way: by contact forces p >= 0 with B^T p = loads, or by an unbounded motion. \throws NumericalError  neither found
   Feasibility feasibility() const;
 
   /// Complaint about a solution, or "".
   std::string verdict(const Outcome& found) const;
 
-  /// Difference between two solutions, or "": forces always, against the largest pair force of the body; displacements less neutral
+  /// Difference between two solutions, or "": forces always, relative to the largest pair force of the body; displacements without neutral
   /// motions, those rigid motions of the bodies that no prescribed component and no pair that carries force restrains.
   std::string difference(const Outcome& found, const Outcome& reference) const;
 

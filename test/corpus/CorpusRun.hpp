@@ -6,7 +6,7 @@
 
 namespace suture::corpus {
 
-/// A way to solve a scene.
+/// A method to solve a scene.
 struct Way {
   std::string name, formulation, outerSolver;
   std::vector<std::string> overrides() const { return {"Formulation=" + formulation, "Outer Solver/Type=" + outerSolver}; }
@@ -26,7 +26,7 @@ struct Outcome {
   double seconds = 0.0;
 };
 
-/// The scene as all runs see it, on rank 0.
+/// The scene as all runs use it, on rank 0.
 struct Whole {
   Mesh mesh;
   Constraints constraints;

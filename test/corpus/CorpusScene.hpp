@@ -13,7 +13,7 @@ struct CorpusScene {
   std::uint64_t seed = 0;
   std::string family;
   Expected expected = Expected::Solvable;
-  Mesh mesh;         ///< as a mesh file would give it, without bodies
+  Mesh mesh;         ///< as in a mesh file, without bodies
   std::string text;  ///< the scene file
 };
 

@@ -9,9 +9,9 @@ constexpr double pi = 3.14159265358979323846;
 using Family = void (*)(Builder&);
 
 // Boxes.
-void blocks(Builder& scene);  ///< a block over another, with distorted lines
+void blocks(Builder& scene);  ///< a block on another, with distorted lines
 void stack(Builder& scene);   ///< 2 to 6 blocks with gaps, held at the sides
-void tray(Builder& scene);    ///< a peg in a U with clearance, held by contact alone
+void tray(Builder& scene);    ///< a peg in a U with clearance, held by contact only
 void tilted(Builder& scene);  ///< a block that falls on its vertex
 void layers(Builder& scene);  ///< a long layer that lifts off
 void bumps(Builder& scene);   ///< a block on two bumps

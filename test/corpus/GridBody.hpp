@@ -16,11 +16,11 @@ struct GridBody {
   Cell cell = Cell::Quadrilateral4;
   int nx = 4, ny = 4;
   bool periodic = false;
-  std::function<Point(double s, double t)> map;              ///< keeps the sense of rotation
+  std::function<Point(double s, double t)> map;              ///< keeps the orientation
   std::function<bool(int i, int j)> present;                 ///< none: all cells
   std::function<std::string(int i, int j, Face face)> side;  ///< suffix of the side group of a boundary side; "": in none
   bool keepGrid = false;     ///< map, present or side depend on the numbers of cells: Builder must not change them
-  int cutsX = 1, cutsY = 1;  ///< named subdomains, so many blocks of cells each way
+  int cutsX = 1, cutsY = 1;  ///< named subdomains, this many blocks of cells per direction
 };
 
 /// Adds the body to the mesh: element groups <name> and subdomain_<name>_<i>_<j>, side groups <name>_<suffix>. Local.

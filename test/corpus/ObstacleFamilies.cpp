@@ -9,8 +9,7 @@ double obstacleGap(Random& random) {
   return kind < 0.3 ? 0.0 : kind < 0.6 ? random.power(-6, -2) : random.real(0.0, 3.0);
 }
 
-/// Two or three boxes on each other over y = low, each with a crown below; returns the name of the lowest. Held sideways by rollers or
-/// walls.
+/// Two or three stacked boxes over y = low, each with a crown below; returns the name of the lowest. Held sideways by rollers or walls.
 std::string pile(Builder& scene, double low) {
   Random& random = scene.random;
   const int count = random.integer(2, 3);

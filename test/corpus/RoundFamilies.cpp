@@ -4,8 +4,8 @@ namespace suture::corpus {
 
 namespace {
 
-/// Grid of an annulus: s along the angle from `from` to `to`, t from the outer radius inwards (so that the sense of rotation is kept).
-/// Sides: outer (t = 0), inner (t = 1), first (s = 0), last (s = 1).
+/// Grid of an annulus: s along the angle from `from` to `to`, t from the outer radius inwards (which keeps the orientation). Sides: outer
+/// (t = 0), inner (t = 1), first (s = 0), last (s = 1).
 GridBody annulus(const std::string& name, Point centre, double inner, double outer, double from, double to, int nt, int nr) {
   GridBody body;
   body.name = name;
@@ -143,8 +143,8 @@ void discOnSlopes(Builder& scene) {
   scene.expected = Expected::Unknown;
 }
 
-// Uniform pressure on the back of an arch is carried by equal normal forces in its joints, whatever the angles; but without a centring
-// three stones or more can slide on each other.
+// Uniform pressure on the back of an arch is carried by equal normal forces in its joints at any angles; but without a centring three
+// stones or more can slide on each other.
 void arch(Builder& scene) {
   Random& random = scene.random;
   const int count = random.integer(2, 5);

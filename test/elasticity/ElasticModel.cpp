@@ -64,7 +64,7 @@ bool says(const Problem& problem, const std::string& path, const std::string& wo
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(ElasticModel, HoldsWhatTheSceneSays) {
+TEUCHOS_UNIT_TEST(ElasticModel, HoldsTheValuesOfTheScene) {
   const ElasticModel model = modelOf();
   TEST_ASSERT(model.plane == PlaneModel::Stress);
   TEST_EQUALITY(model.bodies.size(), 2u);
@@ -190,7 +190,7 @@ TEUCHOS_UNIT_TEST(ElasticModel, ReadsSolidsWithThreeComponents) {
   TEST_ASSERT(!two.empty() && says(two[0], "Boundary Conditions/wind/Value", "this Traction needs 3 values, as in {0.0, 0.0, 0.0}"));
 }
 
-TEUCHOS_UNIT_TEST(ElasticModel, AsksForAMeshOfItsDimension) {
+TEUCHOS_UNIT_TEST(ElasticModel, RequiresAMeshOfItsDimension) {
   CellBlock plane, space;
   space.dimension = 3;
   const auto messageOf = [](const CellBlock& mesh, const ElasticModel& model) {
@@ -227,7 +227,7 @@ TEUCHOS_UNIT_TEST(ElasticModel, RefusesTetrahedraThatLock) {
       says(problems.list()[0], "Materials/rubber/Poisson Ratio", "Mesh it with 10-node tetrahedra or hexahedra"));
 }
 
-TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
+TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndSuggestsAlternatives) {
   CellBlock block;
   block.cells = {Cell::Quadrilateral4, Cell::Triangle3, Cell::Triangle6, Cell::Triangle3};
   const auto problemsIn = [&](std::vector<std::string> overrides, int body) {

@@ -70,7 +70,7 @@ TEUCHOS_UNIT_TEST(ElasticSupports, AnswerARotationByTheirSecondMoment) {
   TEST_FLOATING_EQUALITY(u.dot(ElasticSupports(mesh, mesh.sideGroups, model).forces(u).nodal), normal * 1e-4 * 124.0 / 3.0, 1e-12);
 }
 
-TEUCHOS_UNIT_TEST(ElasticSupports, CarryTheWholeCircleOfABodyOfRevolution) {
+TEUCHOS_UNIT_TEST(ElasticSupports, CarryTheWholeCircleOfAnAxisymmetricBody) {
   Mesh mesh = bar(Cell::Quadrilateral4);
   makeAxisymmetric(mesh);
   const ElasticModel model = onBed();
@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(ElasticSupports, CarryTheWholeCircleOfABodyOfRevolution) {
   TEST_FLOATING_EQUALITY(sumOf(forces)[1], -0.1 * normal * kPi * 24.0, 1e-12);
 }
 
-TEUCHOS_UNIT_TEST(ElasticSupports, AddToTheStiffnessWhatTheirForcesSay) {
+TEUCHOS_UNIT_TEST(ElasticSupports, AddAStiffnessConsistentWithTheirForces) {
   const Mesh mesh = bar(Cell::Triangle6);
   const ElasticModel model = onBed();
   const Material steel{"steel", 2e3, 0.3};

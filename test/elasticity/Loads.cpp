@@ -152,7 +152,7 @@ TEUCHOS_UNIT_TEST(Loads, GivesTractionOnACurvedSideTheForceOfItsLength) {
   TEST_FLOATING_EQUALITY(length, pi / 3, 2e-3);
 }
 
-TEUCHOS_UNIT_TEST(Loads, OfBodiesOfRevolutionAreThoseOfTheWholeCircle) {
+TEUCHOS_UNIT_TEST(Loads, OfAxisymmetricBodiesAreThoseOfTheWholeCircle) {
   for (Cell cell : sample::cells()) {
     // The bottom of a cylinder of radius 3: a disc, its node on the axis included.
     CellBlock block = sample::axisParallel(cell, 3.0, 1.0);

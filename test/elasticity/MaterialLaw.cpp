@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(MaterialLaw, TurnedTwiceIsTurnedByTheSumAndAFullTurnIsNone) {
   TEST_FLOATING_EQUALITY(nearestIsotropic(turned(c, 0.9)).young, nearestIsotropic(c).young, 1e-13);
 }
 
-TEUCHOS_UNIT_TEST(MaterialLaw, AxesInSpaceAreTheMaterialsOwn) {
+TEUCHOS_UNIT_TEST(MaterialLaw, AxesIn3DAreThoseOfTheMaterial) {
   const auto along = [](const std::string& axis1, const std::string& axis2, double angle = 0.0) {
     return lawOf(orthotropic("{140.0, 10.0, 9.0}", "{0.3, 0.4, 0.28}", "{5.0, 3.0, 4.5}", angle, axis1, axis2))->stiffness();
   };
@@ -138,7 +138,7 @@ TEUCHOS_UNIT_TEST(MaterialLaw, NineEqualConstantsAreIsotropic) {
   TEST_FLOATING_EQUALITY(mixed.projected, e * nu / ((1 + nu) * (1 - 2 * nu)), 1e-13);
 }
 
-TEUCHOS_UNIT_TEST(MaterialLaw, RefusesWhatIsNoElasticMaterial) {
+TEUCHOS_UNIT_TEST(MaterialLaw, RefusesInvalidElasticMaterials) {
   const auto messageOf = [](const MaterialLaw& law) {
     try {
       law.stiffness();

@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(ReferenceElement, IntegratesPolynomialsOfTheDegreeOfItsRule) {
   }
 }
 
-TEUCHOS_UNIT_TEST(ReferenceElement, HasTheUsualPointsInSpace) {
+TEUCHOS_UNIT_TEST(ReferenceElement, HasTheUsualPointsIn3D) {
   const std::map<Cell, int> points{{Cell::Tetrahedron4, 1},  {Cell::Tetrahedron10, 4}, {Cell::Hexahedron8, 8}, {Cell::Hexahedron20, 27},
                                    {Cell::Hexahedron27, 27}, {Cell::Wedge6, 6},        {Cell::Pyramid5, 8}};
   for (const auto& [cell, count] : points) {
@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(ReferenceElement, HasTheUsualPointsInSpace) {
   }
 }
 
-TEUCHOS_UNIT_TEST(ReferenceElement, KnowsTheSidesInSpaceAsPlaneCells) {
+TEUCHOS_UNIT_TEST(ReferenceElement, KnowsTheSidesIn3DAsPlaneCells) {
   for (const int nodes : {3, 4, 6, 8, 9})
     for (const Rule rule : {Rule::Load, Rule::Data}) {
       const Cell cell = sideCell(nodes);

@@ -105,7 +105,7 @@ TEUCHOS_UNIT_TEST(ResolveLoads, PutsAPointForceOnItsNode) {
   SUTURE_CHECK_NEAR(found, expected);
 }
 
-TEUCHOS_UNIT_TEST(ResolveLoads, TellsWhereTheNearestNodeIs) {
+TEUCHOS_UNIT_TEST(ResolveLoads, ReportsTheNearestNode) {
   const Mesh mesh = twoBars(Cell::Triangle3);
   Load off = Load::pointForce({4.1, 1.0, 0}, {1, 0, 0});
   const std::string far = complaint(mesh, off);
@@ -115,7 +115,7 @@ TEUCHOS_UNIT_TEST(ResolveLoads, TellsWhereTheNearestNodeIs) {
   TEST_EQUALITY(complaint(mesh, off), "");
 }
 
-TEUCHOS_UNIT_TEST(ResolveLoads, AsksForTheBodyWhereTwoMeet) {
+TEUCHOS_UNIT_TEST(ResolveLoads, RequiresTheBodyWhereTwoMeet) {
   Mesh mesh = boxes({{"lower", 0, 4, 0, 1, 4, 1}, {"upper", 0, 4, 1, 2, 4, 1}});
   assignBodies(mesh, {"lower", "upper"});
   const std::string text = complaint(mesh, Load::pointForce({4.0, 1.0, 0}, {1, 0, 0}));
@@ -151,7 +151,7 @@ TEUCHOS_UNIT_TEST(ResolveLoads, PullsARingOfRevolutionOutwards) {
   TEST_COMPARE(std::abs(found[1]), <, 1e-10);
 }
 
-TEUCHOS_UNIT_TEST(ResolveLoads, RefusesWhatAModelCannotHave) {
+TEUCHOS_UNIT_TEST(ResolveLoads, RefusesLoadsUnfitForTheModel) {
   ElasticModel model = modelOf({Load::moment("a", 1.0), Load::gravity({1.0, 0, 0}), Load::temperature(20.0, 0.0),
                                 Load::temperature(30.0, 0.0, "upper"), Load::rotation({0, 1, 0}, {0, 0, 0}, "upper")});
   model.axisymmetric = true;

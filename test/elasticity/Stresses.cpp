@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(Stresses, OfMixedElementsHaveTheMeanPressureOfTheElement) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Stresses, InSpaceFollowHookesLaw) {
+TEUCHOS_UNIT_TEST(Stresses, In3DFollowHookesLaw) {
   const double e = steel.young, nu = steel.poisson;
   Eigen::Matrix3d g;
   g << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 7e-4, -6e-4, 2e-4;

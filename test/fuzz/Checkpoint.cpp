@@ -1,5 +1,5 @@
 // A checkpoint, for a mesh of one subdomain with four nodes. First byte even: the rest are the bytes of the file. Odd: numbers of a file
-// that is sound for HDF5, with right checksums, and holds anything.
+// that is valid HDF5, with right checksums and arbitrary content.
 #include "Hdf5.hpp"
 
 #include <suture/base/hdf5/Hdf5File.hpp>

@@ -1,4 +1,4 @@
-// Expressions of a scene: the last line is one; lines before it are functions f0, f1, ... of the place, each of which knows those above it.
+// Expressions of a scene: the last line is one; lines before it are functions f0, f1, ... of place, each of which may use those above it.
 #include "Fuzz.hpp"
 
 #include <suture/base/Expression.hpp>

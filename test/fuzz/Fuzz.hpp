@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace fuzz {
 
-/// Runs `work`, which may refuse its input: an InputError. Any other exception is a finding, as a crash is. True if nothing was refused.
+/// Runs `work`, which may refuse its input: an InputError. Any other exception is a finding, as is a crash. True if nothing was refused.
 template <typename Work>
 bool accepts(const Work& work) {
   try {
@@ -35,7 +35,7 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// A folder of this process, in memory where the system has such a place, removed at its end.
+/// A folder of this process, in memory if possible, removed at the end.
 class Folder {
  public:
   Folder() {
@@ -51,7 +51,7 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  /// Writes a file there; its path.
+  /// Writes a file there; returns its path.
   std::string file(const std::string& name, const std::uint8_t* data, std::size_t size) const {
     const std::string path = path_ + "/" + name;
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
@@ -63,7 +63,7 @@ class Folder {
   std::string path_;
 };
 
-/// Takes small numbers from the input, zeros when it is used up: for inputs that are sound as files and wrong in what they say.
+/// Takes small numbers from the input, zeros when it is used up: for inputs that are valid files with wrong content.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -74,7 +74,7 @@ class Bytes {
     for (int& one : all) one = number();
     return all;
   }
-  /// Mostly quarters, now and then what a double may be, too.
+  /// Mostly quarters, sometimes any double.
   double real() {
     static const double odd[] = {1e308, -1e308, 5e-324, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                                  -0.0,  1e-12,  1e20};

@@ -1,4 +1,4 @@
-// Statements of a .geo file, as they are checked before Gmsh sees them.
+// Statements of a .geo file, as checked before Gmsh sees them.
 #include "Fuzz.hpp"
 
 #include <suture/reader/gmsh/GeoStatements.hpp>

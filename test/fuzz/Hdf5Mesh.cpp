@@ -1,5 +1,5 @@
-// A mesh file of Suture. First byte even: the rest are the bytes of the file. Odd: numbers of a file that is sound for HDF5, with right
-// checksums, and holds anything.
+// A mesh file of Suture. First byte even: the rest are the bytes of the file. Odd: numbers of a file that is valid HDF5, with right
+// checksums and arbitrary content.
 #include "Hdf5.hpp"
 
 #include <suture/base/hdf5/Hdf5File.hpp>
@@ -18,7 +18,7 @@ void write(const std::string& path, fuzz::Bytes bytes) {
   std::vector<double> places(static_cast<std::size_t>(bytes.byte()));
   for (double& x : places) x = bytes.real();
   file.write("/Coordinates", places);
-  // Sound offsets half of the time: else nothing behind them is ever read.
+  // Valid offsets half of the time: otherwise nothing behind them is ever read.
   const std::vector<int> cells = bytes.numbers(), connectivity = bytes.numbers();
   std::vector<int> offsets{0};
   if (bytes.byte() % 2 == 0)

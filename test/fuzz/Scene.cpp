@@ -1,5 +1,5 @@
-// A scene file and, behind a byte 0, words of --set, one a line. A scene that is taken must be taken again as it is printed with its
-// defaults, and mean the same.
+// A scene file and, behind a byte 0, words of --set, one per line. An accepted scene must be accepted again when printed with its defaults,
+// with the same meaning.
 #include "Fuzz.hpp"
 
 #include <suture/base/Expression.hpp>

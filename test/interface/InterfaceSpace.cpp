@@ -220,7 +220,7 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, DensitiesGiveAPartitionOfUnityWithRelations) {
   TEST_COMPARE((unity - identity).norm(), <, 1e-14);
 }
 
-TEUCHOS_UNIT_TEST(InterfaceSpace, RelationsJoinSharersAndHoldWhatSeveralExpress) {
+TEUCHOS_UNIT_TEST(InterfaceSpace, RelationsJoinSharersAndHoldUnknownsThatSeveralExpress) {
   const Related r;
   const auto sharers = [&](GlobalId id) { return r.space->sharers(r.at(id)); };
   TEST_ASSERT((sharers(30) == std::vector<int>{1, 2}));

@@ -101,7 +101,7 @@ TEUCHOS_UNIT_TEST(AssignBodies, AcceptsSlivers) {
   TEST_EQUALITY(saidOf(mesh), "no error");
 }
 
-TEUCHOS_UNIT_TEST(AssignBodies, ChecksTheShapesOfCellsInSpace) {
+TEUCHOS_UNIT_TEST(AssignBodies, ChecksTheShapesOfCellsIn3D) {
   for (const Cell cell : referencecells::solid) {
     Box lower, upper;
     lower.name = "lower", lower.cell = cell;
@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(AssignBodies, ChecksTheShapesOfCellsInSpace) {
 
 // Most elements are accepted by a bound without computing their least determinant; none whose least determinant is not positive is
 // accepted.
-TEUCHOS_UNIT_TEST(AssignBodies, AcceptsExactlyThoseCellsInSpaceWhoseLeastDeterminantIsPositive) {
+TEUCHOS_UNIT_TEST(AssignBodies, AcceptsExactlyThoseCellsIn3DWhoseLeastDeterminantIsPositive) {
   std::mt19937 random(11);
   int accepted = 0, refused = 0;
   for (const Cell cell : referencecells::solid)
@@ -142,7 +142,7 @@ TEUCHOS_UNIT_TEST(AssignBodies, AcceptsExactlyThoseCellsInSpaceWhoseLeastDetermi
   TEST_COMPARE(refused, >, 20);
 }
 
-TEUCHOS_UNIT_TEST(AssignBodies, NamesTangledCellsInSpace) {
+TEUCHOS_UNIT_TEST(AssignBodies, NamesTangledCellsIn3D) {
   Mesh mesh;
   static_cast<CellBlock&>(mesh) = referencecells::image(Cell::Hexahedron8, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0});
   mesh.elementGroups["lower"] = {0};
@@ -167,7 +167,7 @@ TEUCHOS_UNIT_TEST(Mesh, HashSeesEveryChangeAndNothingElse) {
   others[2].elementGroups["lower"].pop_back();
   others[3].sideGroups["lower_top"][0].side += 1;
   others[4].sideGroups["new"];
-  // Numbers are hashed in four ways: exchanged on one of them, between two, the last of all, one more.
+  // Numbers are hashed in four interleaved chains: exchanged within one, between two, the last number changed, one number more.
   std::swap(others[5].coordinates[1], others[5].coordinates[1 + 4 * 2]);
   std::swap(others[6].coordinates[0], others[6].coordinates[1 + 4 * 2]);
   others[7].coordinates.back() += 1e-15;

@@ -31,7 +31,7 @@ std::vector<BoundingBox> random(int count, int dimension, unsigned seed) {
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(BoxTree, FindsTheBoxesThatALookAtAllOfThemFinds) {
+TEUCHOS_UNIT_TEST(BoxTree, FindsTheSameBoxesAsACheckOfAll) {
   for (const int dimension : {2, 3})
     for (const int count : {0, 1, 2, 3, 5, 100, 1000}) {
       const std::vector<BoundingBox> boxes = random(count, dimension, 1);

@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(Cell, EdgesAreThoseOfTheDrawingInTheOrderOfTheirMiddles) {
 }
 
 // Every vertex of a convex cell lies on a side or behind it, and every edge is traversed once in each direction.
-TEUCHOS_UNIT_TEST(Cell, SidesInSpaceRunCounterClockwiseSeenFromOutside) {
+TEUCHOS_UNIT_TEST(Cell, SidesIn3DRunCounterClockwiseSeenFromOutside) {
   for (const Cell cell : referencecells::solid) {
     const CellInfo& info = cellInfo(cell);
     const CellBlock block = referencecells::image(cell, skewed);

@@ -181,7 +181,7 @@ TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfCurvedElementsBetweenT
 }
 
 // In 3D the grid is coarse: its least value exceeds the true one by little more than the square of a step.
-TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfBentCellsInSpace) {
+TEUCHOS_UNIT_TEST(CellGeometry, FindsTheLeastDeterminantOfBentCellsIn3D) {
   std::mt19937 random(7);
   for (const Cell cell : referencecells::solid) {
     Sampled sampled(cell);

@@ -144,7 +144,7 @@ TEUCHOS_UNIT_TEST(Generators, RefuseBadBoxesAllAtOnce) {
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/none: a second box of this name");
 }
 
-TEUCHOS_UNIT_TEST(Generators, RefuseWhatNoMachineHolds) {
+TEUCHOS_UNIT_TEST(Generators, RefuseMeshesTooLargeForAnyMachine) {
   Box large = box("large", 0, 1);
   large.nx = large.ny = 1000000;
   large.blocksX = large.blocksY = 1;

@@ -19,7 +19,7 @@ std::vector<Side> search(const CellBlock& block) {
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(Outline, IsWhatATableOfAllSidesFinds) {
+TEUCHOS_UNIT_TEST(Outline, AgreesWithATableOfAllSides) {
   for (int number = 0; number < kCells; ++number) {
     Box box, other;
     box.cell = other.cell = static_cast<Cell>(number);

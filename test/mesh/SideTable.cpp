@@ -28,7 +28,7 @@ bool same(const std::vector<Side>& x, const std::vector<Side>& y) {
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(SideTable, FindsWhatASearchFinds) {
+TEUCHOS_UNIT_TEST(SideTable, AgreesWithASearch) {
   for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Quadrilateral4, Cell::Quadrilateral9}) {
     Box box;
     box.name = "square";
@@ -75,7 +75,7 @@ std::vector<int> verticesOf(const CellBlock& block, const Side& side) {
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(SideTable, FindsWhatASearchFindsInSpace) {
+TEUCHOS_UNIT_TEST(SideTable, AgreesWithASearchIn3D) {
   for (const Cell cell : referencecells::solid) {
     Box box;
     box.nx = 3, box.ny = box.nz = 2;

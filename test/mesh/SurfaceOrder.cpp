@@ -46,7 +46,7 @@ TEUCHOS_UNIT_TEST(SurfaceOrder, BeginsARingAtItsLowestNodeOrBehindAGap) {
   TEST_ASSERT(nodesOf(inOrder(ring, [](int node) { return node != 2; })) == (std::vector<int>{3, 4, 5, 0, 1}));
 }
 
-TEUCHOS_UNIT_TEST(SurfaceOrder, HasNoArcLengthInSpace) {
+TEUCHOS_UNIT_TEST(SurfaceOrder, HasNoArcLengthIn3D) {
   const Surface square(3, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
   TEST_THROW(runsOf(square), InternalError);
   const std::vector<OrderedNode> order = inOrder(square, [](int node) { return node != 2; });

@@ -24,7 +24,7 @@ constexpr std::size_t kBytes = std::size_t(1) << 26, kFreeLists = 64;
 
 struct Board::Header {
   struct Free {
-    std::uint64_t bytes, first;  // each free piece begins with the place of the next one
+    std::uint64_t bytes, first;  // each free piece begins with the offset of the next one
   };
   RankState states[kMostRanks];
   std::atomic_flag lock, ended;

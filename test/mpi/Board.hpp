@@ -49,7 +49,7 @@ class Board {
   /// Ends the job with a message: the first rank that calls it prints, and the launcher ends the others.
   [[noreturn]] void endJob(const std::string& message);
 
-  /// Memory of a communicator, zero; 0: there is none left. One of its ranks takes it, and gives it back when all have left it.
+  /// Memory of a communicator, zeroed; 0: none left. One of its ranks takes it, and frees it when all have left the communicator.
   std::uint64_t take(std::size_t bytes);
   void giveBack(std::uint64_t place, std::size_t bytes);
   char* at(std::uint64_t place) const { return base_ + place; }

@@ -13,9 +13,9 @@ namespace {
 
 bool isOn = false;
 
-/// On one rank there is nothing to compare.
+/// With one rank there is nothing to compare.
 void begin() {
-  unsetenv("LD_PRELOAD");  // programs that the run starts go without
+  unsetenv("LD_PRELOAD");  // child programs of the run do not load the library
   int ranks = 1;
   PMPI_Comm_size(MPI_COMM_WORLD, &ranks);
   if (ranks == 1) return;
@@ -47,7 +47,7 @@ std::size_t bytesAt(int root, MPI_Comm comm, int rootCount, MPI_Datatype rootTyp
     const Inside inside(Function::name);               \
     return PMPI_##name arguments;                      \
   }
-// A collective on `comm`; what follows the arguments is passed to collective(): bytes, root, operation.
+// A collective on `comm`; the remaining arguments are passed to collective(): bytes, root, operation.
 #define MPI_ORDER_COLLECTIVE(name, parameters, arguments, ...) \
   int MPI_##name parameters {                                  \
     if (!isOn) return PMPI_##name arguments;                   \

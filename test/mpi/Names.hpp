@@ -1,6 +1,6 @@
 #pragma once
 
-// The MPI functions that this library stands before: collectives, and others in which a rank may wait.
+// The MPI functions that this library intercepts: collectives, and others in which a rank may wait.
 // clang-format off
 #define MPI_ORDER_FUNCTIONS(X) \
   X(Allreduce) X(Reduce) X(Bcast) X(Barrier) X(Allgather) X(Allgatherv) X(Gather) X(Gatherv) X(Scatter) X(Scatterv) X(Alltoall) \

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kKept = 64;  // collectives of each rank that the others can still look up
 
-/// In the shared memory of a communicator: how far each rank is, then the last collectives of each.
+/// In the shared memory of a communicator: the progress of each rank, then the last collectives of each.
 struct Shared {
   std::atomic<int> left;
   std::atomic<std::uint64_t> last[Board::kMostRanks];
@@ -94,7 +94,7 @@ void collective(MPI_Comm comm, Function function, std::size_t bytes, int root, M
   Followed& own = found->second;
   const std::uint64_t number = ++own.number;
   Shared& shared = own.shared();
-  // The slowest rank must have compared what is overwritten now.
+  // The slowest rank must have compared the entry that is overwritten now.
   for (int other = 0; other < own.ranks; ++other)
     while (number > kKept && shared.last[other].load() + kKept < number) usleep(100);
   const Place place = placeOfCall();

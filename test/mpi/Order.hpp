@@ -11,7 +11,7 @@ namespace mpiorder {
 /// operation and calling place. A rank that comes later compares its record with those of the others at the same number, and ends the job
 /// with both places if they differ. No messages: the ranks wait for each other as they do without this library.
 
-/// From now on the order on `comm` is checked; on one rank nothing is. Collective over it.
+/// From now on the order on `comm` is checked, unless it has one rank. Collective over it.
 void follow(MPI_Comm comm);
 
 /// A collective of this rank begins. \param bytes  that all ranks must agree on, 0: none; \param root  -1: none

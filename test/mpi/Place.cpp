@@ -45,7 +45,7 @@ std::string nameOf(const Dl_info& info, const ElfW(Sym) * symbol, const void* ad
   char offset[32];
   std::snprintf(offset, sizeof(offset), "+0x%lx", static_cast<unsigned long>(offsetIn(info, address)));
   const std::string place = (file ? file + 1 : info.dli_fname) + std::string(offset);
-  // A function that is not exported has no name here: that of the exported one before it would be wrong.
+  // A function that is not exported has no name here: the name of the preceding exported one would be wrong.
   if (!info.dli_sname || !symbol || static_cast<const char*>(address) >= static_cast<const char*>(info.dli_saddr) + symbol->st_size)
     return place;
   int status = 0;
@@ -66,7 +66,7 @@ const Frame& frameOf(void* address) {
   const auto begins = [&](const char* with) { return std::strncmp(info.dli_fname, with, std::strlen(with)) == 0; };
   frame.own = !begins("/usr/") && !begins("/lib") && info.dli_fbase != thisLibrary();
   if (!frame.own) return frame;
-  // Functions, not lines: the compiler may make several calls of one.
+  // Functions, not lines: the compiler may turn one call into several.
   const void* function = _Unwind_FindEnclosingFunction(address);
   frame.hash = mixed(std::strlen(info.dli_fname), offsetIn(info, function ? function : address));
   frame.name = nameOf(info, symbol, address);

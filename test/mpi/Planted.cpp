@@ -1,4 +1,4 @@
-// Programs whose ranks do not call the same collectives, and one whose ranks do: what the order of collectives must see. See planted.py.
+// Programs whose ranks do not call the same collectives, and one whose ranks do: test cases for the order of collectives. See planted.py.
 #include <mpi.h>
 
 #include <unistd.h>
@@ -36,7 +36,7 @@ FUNCTION meet(MPI_Comm comm) { MPI_Barrier(comm); }
 
 namespace {
 
-/// Root far ahead of the others, groups of ranks, communicators of one rank, messages between two: all of it is right.
+/// Root far ahead of the others, groups of ranks, communicators of one rank, point-to-point messages: all of it is correct.
 void sound() {
   for (int i = 0; i < 1000; ++i) fromRoot(0);
   for (int i = 0; i < 200; ++i) {

@@ -29,7 +29,7 @@ TEUCHOS_UNIT_TEST(Clipping, FindsTheOctagonOfTwoSquares) {
   TEST_FLOATING_EQUALITY(areaOf(commonPart(turned, straight, 1e-12)), 8 * (std::sqrt(2.0) - 1), 1e-14);
 }
 
-TEUCHOS_UNIT_TEST(Clipping, HasNothingInCommonAcrossASharedEdgeWhateverRoundingSays) {
+TEUCHOS_UNIT_TEST(Clipping, HasNothingInCommonAcrossASharedEdgeDespiteRoundOff) {
   const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (const double off : {0.0, 1e-16, -1e-16, 3e-14, -3e-14}) {
     TEST_ASSERT(commonPart({{1 + off, 0}, {2, 0}, {2, 1}, {1 + off, 1}}, square, 1e-12).empty());

@@ -123,7 +123,7 @@ TEUCHOS_UNIT_TEST(FacingNodes, StandOppositeOnSurfacesInSpace) {
 }
 
 // A cube within a larger one: twelve triangles each, no rim.
-TEUCHOS_UNIT_TEST(FacingNodes, StandOppositeOnACubeInACube) {
+TEUCHOS_UNIT_TEST(FacingNodes, FaceEachOtherOnACubeInACube) {
   Sides cube;
   for (int i = 0; i < 8; ++i) cube.points.push_back({2.0 * (i & 1) - 1, 2.0 * (i >> 1 & 1) - 1, 2.0 * (i >> 2) - 1});
   for (const std::vector<int>& f :

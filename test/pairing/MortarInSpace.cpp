@@ -159,7 +159,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, BalancesTheMomentsOfEachPair) {
         return scaled((2 + p[2]) / norm(ray), ray);
       });
       Contact contact = mortar();
-      contact.geometry = Contact::Geometry::Facets;  // else the gap is that between the smooth faces
+      contact.geometry = Contact::Geometry::Facets;  // otherwise the gap is that between the smooth faces
       for (const ContactPair& pair : pairsOf(mesh, contact).pairs) {
         const Point way = minus(meanPlace(mesh, pair, false), meanPlace(mesh, pair, true));
         TEST_COMPARE(norm(cross(way, pair.normal)), <, 1e-12);
@@ -315,7 +315,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, FindsTheGapOfCurvedFacesToTheOrderOfTheElements
   }
 }
 
-TEUCHOS_UNIT_TEST(MortarInSpace, TellsFacesThatMeetNowhere) {
+TEUCHOS_UNIT_TEST(MortarInSpace, ReportsFacesThatMeetNowhere) {
   Mesh mesh = facing(Cell::Hexahedron8, 2, 2, Cell::Hexahedron8, 3, 3, 0.0);
   move(mesh, 1, [](Point p) -> Point { return {p[0] + 5, p[1], p[2]}; });
   TEST_THROW(pairsOf(mesh, mortar()), InputError);

@@ -194,7 +194,7 @@ TEUCHOS_UNIT_TEST(ObstaclesInSpace, LeaveOutNodesThatSeeThemAside) {
   SUTURE_CHECK_SAYS(notes[0], "(the first at (-1, -1, 0))");
 }
 
-TEUCHOS_UNIT_TEST(ObstaclesInSpace, SayWhatIsWrong) {
+TEUCHOS_UNIT_TEST(ObstaclesInSpace, ReportErrors) {
   const Mesh mesh = cube();
   SUTURE_CHECK_SAYS(saidOf(mesh, "Line", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, 1.0}"}}),
                     "Contact/ground/Obstacle: 'Line' is 2D; expected Plane, Ball, Cylinder or Height");

@@ -86,7 +86,7 @@ TEUCHOS_UNIT_TEST(PairSearch, MissesNoSideThatALineMeetsInThePlane) {
   TEST_COMPARE(candidates, <, 200u * 500 / 3);
 }
 
-TEUCHOS_UNIT_TEST(PairSearch, MissesNoTriangleThatALineMeetsInSpace) {
+TEUCHOS_UNIT_TEST(PairSearch, MissesNoTriangleThatALineMeetsIn3D) {
   Scatter scatter(3, 2);
   std::vector<SidePoints> others;
   for (int i = 0; i < 2000; ++i) others.push_back(scatter.side(3));

@@ -147,7 +147,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, PairSpheresAlongTheirRays) {
   }
 }
 
-TEUCHOS_UNIT_TEST(PairsInSpace, TellFacesWhoseNodesDoNotMatch) {
+TEUCHOS_UNIT_TEST(PairsInSpace, ReportFacesWhoseNodesDoNotMatch) {
   const std::string text = saidOf(facing(Cell::Hexahedron8, 3, 2, Cell::Hexahedron8, 4, 2, 0.0), matching());
   SUTURE_CHECK_SAYS(text, "the sides do not match: 'lower_top' has 12 nodes, 'upper_bottom' has 15 nodes; 6 and 9 of them have no partner");
   SUTURE_CHECK_SAYS(text, "along the surface = ");
@@ -166,7 +166,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, RefuseNodesThatCarryNoPressure) {
         "a pressure on 'lower_top', which has six- or eight-node sides, exerts no force or an opposite force at the vertices");
 }
 
-TEUCHOS_UNIT_TEST(PairsInSpace, WantFacesThatAreSurfacesWithoutSharpEdges) {
+TEUCHOS_UNIT_TEST(PairsInSpace, RequireSurfacesWithoutSharpEdges) {
   Mesh mesh = facing(Cell::Hexahedron8, 3, 2, Cell::Hexahedron8, 3, 2, 0.0);
   Contact contact = matching();
   contact.groupsA = {"lower_top", "lower_left"};

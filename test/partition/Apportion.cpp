@@ -29,7 +29,7 @@ TEUCHOS_UNIT_TEST(Apportion, AlwaysGivesExactlyTheTotal) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Apportion, RefusesWhatCannotBe) {
+TEUCHOS_UNIT_TEST(Apportion, RefusesImpossibleNumbers) {
   TEST_THROW(apportion({2, 2}, 1), suture::InternalError);
   TEST_THROW(apportion({2, 2}, 5), suture::InternalError);
 }

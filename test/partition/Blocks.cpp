@@ -71,7 +71,7 @@ TEUCHOS_UNIT_TEST(Blocks, OfOneAPartAreTheParts) {
   TEST_ASSERT(cutIntoBlocks(graph, parts.elements, {{2}, {3}}, 1) == parts.of);
 }
 
-// METIS joins teeth of a comb that have nothing in common but their likeness.
+// METIS joins teeth of a comb that are not connected, only similar.
 TEUCHOS_UNIT_TEST(Blocks, AreInOnePiece) {
   const Mesh comb = partitiontesting::kept(partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 3, 10, 30)}),
                                            [](double x, double y) { return y < 0.3 || static_cast<int>(10 * x) % 4 < 2; });

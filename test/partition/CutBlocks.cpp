@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(CutBlocks, GoToRanksThatHaveLess) {
   TEST_COMPARE(loads(elements, blocks, 2)[0], >=, 300.0);
 }
 
-TEUCHOS_UNIT_TEST(CutBlocks, AreCutTheSameWhoeverCutsThem) {
+TEUCHOS_UNIT_TEST(CutBlocks, DoNotDependOnTheRankThatCutsThem) {
   const auto comm = partitiontesting::comm();
   const int me = comm->getRank(), ranks = comm->getSize();
   constexpr int count = 7, seed = 3;

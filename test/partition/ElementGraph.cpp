@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(ElementGraph, JoinsElementsWithTwoVerticesInCommon) {
   }
 }
 
-TEUCHOS_UNIT_TEST(ElementGraph, ComponentsAreWhatASearchReaches) {
+TEUCHOS_UNIT_TEST(ElementGraph, ComponentsAgreeWithASearch) {
   const Mesh mesh = shuffled(Cell::Triangle3);
   const ElementGraph graph = elementGraph(mesh);
   std::mt19937 next(3);

@@ -255,8 +255,8 @@ TEUCHOS_UNIT_TEST(Partition, CutsALargeBodyTheSameOnAnyNumberOfRanks) {
   for (const int s : {0, 7, 14, 15, 28}) TEST_EQUALITY(connectedParts(grid, all.subdomainOfElement, s), 1);
 }
 
-TEUCHOS_UNIT_TEST(Partition, RepairsWhatMetisLeavesInPiecesAndSaysSo) {
-  // A comb of 16 thin teeth: METIS' recursive bisection (up to eight parts) joins teeth that have nothing in common but their likeness.
+TEUCHOS_UNIT_TEST(Partition, RepairsDisconnectedPartsOfMetisWithANote) {
+  // A comb of 16 thin teeth: METIS' recursive bisection (up to eight parts) joins teeth that are not connected, only similar.
   const Mesh comb =
       kept(mesh({box("a", 0, 1, 0, 1, 32, 32)}), [](double x, double y) { return y < 1.0 / 16 || static_cast<int>(32 * x) % 2 == 0; });
   int noted = 0;

@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(PartitionFile, HoldsNoBytesThatNobodyHasSet) {
 }  // namespace
 
 // Each rank reads what distribute() would have sent to it, byte by byte.
-TEUCHOS_UNIT_TEST(PartitionFile, IsWhatDistributeSends) {
+TEUCHOS_UNIT_TEST(PartitionFile, EqualsTheMessagesOfDistribute) {
   Written scene;
   for (const bool keepGroupsWhole : {false, true}) {
     const PartitionedMesh read = readPartitionedMesh(*comm(), scene.path, madeFor, keepGroupsWhole);

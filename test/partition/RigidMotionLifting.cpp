@@ -1,4 +1,4 @@
-// Rigid motions taken out of a scene: the remainder, and that nothing is lost.
+// Rigid motions taken out of a scene: the remainders, and no loss of digits.
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Gather.hpp>

@@ -250,7 +250,7 @@ TEUCHOS_UNIT_TEST(Seams, PutsEverySeamNodeIntoOneEntityAndObeysEuler) {
     }
 }
 
-TEUCHOS_UNIT_TEST(Seams, TellsARankOfTheEntitiesItTouches) {
+TEUCHOS_UNIT_TEST(Seams, GivesARankTheEntitiesItTouches) {
   const Found seams = squareBlocks(4, 3);
   std::set<int> ids;
   for (const SubdomainMesh& part : seams.mine) ids.insert(part.id);

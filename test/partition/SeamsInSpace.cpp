@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(SeamsInSpace, KnowsVerticesEdgesAndFacesOfBricks) {
     }
 }
 
-TEUCHOS_UNIT_TEST(SeamsInSpace, AreWhatASearchFindsInRaggedSubdomains) {
+TEUCHOS_UNIT_TEST(SeamsInSpace, AgreeWithASearchInRaggedSubdomains) {
   for (const Cell cell : {Cell::Tetrahedron4, Cell::Tetrahedron10, Cell::Hexahedron8, Cell::Hexahedron27}) {
     const Mesh grid = cube(1, cellInfo(cell).order == 2 ? 5 : 8, cell);
     const Partition cut = makePartition(*comm(), grid, Constraints(), metis(13).list());

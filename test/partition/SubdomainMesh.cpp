@@ -45,7 +45,7 @@ struct CutScene {
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(SubdomainMesh, LivesWhereThePartitionSays) {
+TEUCHOS_UNIT_TEST(SubdomainMesh, IsOnTheRankOfThePartition) {
   const CutScene scene(7);
   std::vector<int> expected, found;
   for (int s = 0; s < 7; ++s)
@@ -203,7 +203,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
   TEST_COMPARE(sumOverRanks(distant), >, 0);
 }
 
-TEUCHOS_UNIT_TEST(SubdomainMesh, KnowsWhichSidesItSharesWithWhom) {
+TEUCHOS_UNIT_TEST(SubdomainMesh, KnowsTheSidesSharedWithItsNeighbours) {
   using SharedSide = std::array<GlobalId, 4>;  // subdomain, neighbour, end points
   for (int subdomains : {2, 7, 24}) {
     const CutScene scene(subdomains);

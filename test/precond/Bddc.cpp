@@ -120,7 +120,7 @@ TEUCHOS_UNIT_TEST(Bddc, ConditionOfMixedElementsDoesNotGrowAsPoissonsRatioTendsT
 }
 
 TEUCHOS_UNIT_TEST(Bddc, WeightsThatChangeAlongAnEdgeDoNotLetVolumeThrough) {
-  // Weighting a jump without flux node by node gives it one, whose energy scales with the bulk modulus (470 at 0.499999 where only the flux
+  // Node-by-node weighting gives a jump without flux a flux, whose energy scales with the bulk modulus (470 at 0.499999 where only the flux
   // is constrained).
   for (const char* weighting : casesOf({"Deluxe", "Stiffness Diagonal"}))
     for (const char* edges : {"Averages", "Rigid Modes"}) {

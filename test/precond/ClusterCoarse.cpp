@@ -159,7 +159,7 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, TakesAsManyClustersAsElements) {
   TEST_COMPARE((values.array() - 1.0).abs().maxCoeff(), <, 0.1 + 1e-10);
 }
 
-TEUCHOS_UNIT_TEST(ClusterCoarse, MayHaveALevelOfItsOwn) {
+TEUCHOS_UNIT_TEST(ClusterCoarse, MayHaveAFurtherLevel) {
   const Cells cells(16);
   CoarseOptions options = cells.options(32, 0.1);
   options.above = 8;

@@ -48,7 +48,7 @@ TEUCHOS_UNIT_TEST(DirectCoarse, SolvesAsADenseSystemWithAnyNumberOfCopies) {
     }
 }
 
-TEUCHOS_UNIT_TEST(DirectCoarse, ADependentSystemIsSolvedButForItsNullSpace) {
+TEUCHOS_UNIT_TEST(DirectCoarse, ADependentSystemIsSolvedUpToItsNullSpace) {
   const Springs springs(true);
   const CoarseParts parts = springs.parts();
   Vector mine = random(int(parts.names.size()), 1, 3 + world()->getRank()).col(0);
@@ -60,7 +60,7 @@ TEUCHOS_UNIT_TEST(DirectCoarse, ADependentSystemIsSolvedButForItsNullSpace) {
   }
 }
 
-TEUCHOS_UNIT_TEST(DirectCoarse, RefusesWhatIsNotPositiveDefiniteOnAllRanks) {
+TEUCHOS_UNIT_TEST(DirectCoarse, RefusesIndefiniteMatricesOnAllRanks) {
   Springs springs(false);
   if (world()->getRank() == 0) springs.mine.push_back({1000, {4}, Matrix::Constant(1, 1, -1e7)});
   for (const int copies : {0, 1, 2})

@@ -68,12 +68,12 @@ TEUCHOS_UNIT_TEST(ContactPlaces, SlidesAreInCellsOfTheFinerSide) {
   TEST_EQUALITY(found.pair, 1);
   TEST_EQUALITY(std::min(found.body, found.other), 0);
   TEST_EQUALITY(std::max(found.body, found.other), 1);
-  row.pairs[1].force = 1e-7;  // nothing
+  row.pairs[1].force = 1e-7;  // negligible
   TEST_FLOATING_EQUALITY(row.slide(), 0.4, 1e-12);
 }
 
 /// A long row of a large body: slides of pairs in the middle move forces by a small fraction of it.
-TEUCHOS_UNIT_TEST(ContactPlaces, FarFromTheEndsWhatCountsIsTheBody) {
+TEUCHOS_UNIT_TEST(ContactPlaces, AreScaledByTheBodyFarFromTheEnds) {
   for (const bool isBent : {false, true}) {
     Row row;
     for (Deformation& motion : row.motions) motion.extent = 20.0;

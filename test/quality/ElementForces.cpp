@@ -99,7 +99,7 @@ TEUCHOS_UNIT_TEST(ElementForces, ATranslationCostsNothing) {
   });
 }
 
-TEUCHOS_UNIT_TEST(ElementForces, RoundingBoundsWhatRoundedDisplacementsDo) {
+TEUCHOS_UNIT_TEST(ElementForces, BoundsTheEffectOfRoundedDisplacements) {
   forAllCases([&](ForcesCase& one) {
     Vector far = one.u, near = one.u;
     for (Eigen::Index i = 0; i < far.size(); ++i) {

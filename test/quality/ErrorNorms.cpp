@@ -114,7 +114,7 @@ TEUCHOS_UNIT_TEST(ErrorNorms, OverAFaceAreIntegralsOverItsArea) {
   TEST_COMPARE(sideErrors(triangle, 3, values, Expression("x + y")).error, <, 1e-28);
 }
 
-TEUCHOS_UNIT_TEST(ExactSolution, HasThreeAndSixComponentsInSpace) {
+TEUCHOS_UNIT_TEST(ExactSolution, HasThreeAndSixComponentsIn3D) {
   std::vector<std::string> settings;
   for (const char* name :
        {"Displacement x", "Displacement y", "Displacement z", "Stress xx", "Stress yy", "Stress zz", "Stress xy", "Stress yz", "Stress xz"})
@@ -145,7 +145,7 @@ TEUCHOS_UNIT_TEST(ExactSolution, MayDifferFromBodyToBody) {
   TEST_ASSERT(read({}, problems).empty());
 }
 
-TEUCHOS_UNIT_TEST(ExactSolution, IsWholeOrNotThere) {
+TEUCHOS_UNIT_TEST(ExactSolution, IsCompleteOrAbsent) {
   Problems problems;
   read({"Exact Solution/Displacement x=x", "Exact Solution/Stress yy=qq", "Exact Solution/Bodies/uper/Stress xx=1"}, problems);
   std::string all;

@@ -183,7 +183,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, OfThePressureFallWithTheOrdersOfTheSides) {
   }
 }
 
-TEUCHOS_UNIT_TEST(ExactErrors, OfALinearFieldAreRounding) {
+TEUCHOS_UNIT_TEST(ExactErrors, OfALinearFieldAreRoundOff) {
   for (const std::string& cell : kCells)
     for (const auto& settings : {kMonolithic, std::vector<std::string>{}}) {
       const Errors errors = errorsOf(world(), {patch(), settings}, cell, 4);

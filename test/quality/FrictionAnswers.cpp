@@ -108,7 +108,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, SlideBesideTheirPartners) {
         }
 }
 
-/// Glued blocks, the upper one drawn apart: the force of half a square's shear at two places.
+/// Glued blocks, the upper one pulled away: the force of half a square's shear at two places.
 TEUCHOS_UNIT_TEST(FrictionAnswers, MissTheMomentAcrossAGap) {
   for (const double gap : {0.01, 0.1, 0.2}) {
     RubbingBlocks answer = blocks(Rubs::Glued, 2);
@@ -218,7 +218,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, FailByTheCheckThatSeesWhatIsPlanted) {
 }
 
 /// A slip a thousand times smaller than the tolerance has no direction that could contradict that of the force.
-TEUCHOS_UNIT_TEST(FrictionAnswers, TakeNoDirectionFromASlipThatIsRounding) {
+TEUCHOS_UNIT_TEST(FrictionAnswers, TakeNoDirectionFromASlipThatIsRoundOff) {
   for (const int dimension : {2, 3}) {
     RubbingBlocks answer = blocks(Rubs::Slip, dimension);
     shifted(-RubbingBlocks::slid - 1e-12, 0.0)(answer);

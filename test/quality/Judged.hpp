@@ -48,7 +48,7 @@ Scene mortarBlock();
 /// One block pressed onto a rigid obstacle that is nearer in the middle.
 Scene blockOnObstacle(double young = 100.0);
 
-/// A block that its prescribed top lifts off the other and shifts: it carries nothing, and moves rigidly.
+/// A block that its prescribed top lifts off the other and shifts: it carries no load, and moves rigidly.
 Scene liftedBlock();
 
 /// Two independent scenes in one: four blocks, of which the second two are `weak` times as stiff and as loaded.

@@ -89,7 +89,7 @@ std::vector<PairResult> pairsAtVertices(const Sheet& sheet, const std::function<
   return pairsWith(forces);
 }
 
-TEUCHOS_UNIT_TEST(PressureSurfaces, GiveBackThePressureWhoseForcesAreGiven) {
+TEUCHOS_UNIT_TEST(PressureSurfaces, RecoverThePressureFromItsForces) {
   for (const int nodes : {3, 4, 6, 8, 9}) {
     const Sheet sheet(3, nodes);
     const auto p = [&](GlobalId node) {

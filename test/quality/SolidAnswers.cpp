@@ -169,7 +169,7 @@ TEUCHOS_UNIT_TEST(SolidAnswers, SeeAMotionTakenOutThatIsNotRigid) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Deformation, IsWhatRemainsOfTheBestRigidMotionInSpace) {
+TEUCHOS_UNIT_TEST(Deformation, IsTheDeviationFromTheBestRigidMotionIn3D) {
   const Eigen::Matrix3d frame = solids::rotation({0.3, -1, 2}, 1.1);
   scenes::Scene scene = solids::turned(solids::fromBoxes({solids::cube(Cell::Hexahedron8, 4, 2)}, 1.0, 0.3), frame, {7, 8, 9});
   const std::vector<SubdomainMesh> meshes = solids::distributed(scene);

@@ -38,7 +38,7 @@ struct StrainedCube {
   }
 };
 
-TEUCHOS_UNIT_TEST(Extremes, InSpaceAreThePrincipalStressesInAnyFrame) {
+TEUCHOS_UNIT_TEST(Extremes, In3DAreThePrincipalStressesInAnyFrame) {
   for (const Cell cell : solids::cells()) {
     const StrainedCube cube(cell);
     const Extremes found = findExtremes(*solids::world(), {cube.meshes, cube.scene.model, cube.displacement, {}, {}});
@@ -53,7 +53,7 @@ TEUCHOS_UNIT_TEST(Extremes, InSpaceAreThePrincipalStressesInAnyFrame) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Extremes, OfUniaxialStressInSpaceHaveNoTension) {
+TEUCHOS_UNIT_TEST(Extremes, OfUniaxialStressIn3DHaveNoTension) {
   StrainedCube cube(Cell::Hexahedron8);
   cube.displacement = solids::atNodes(cube.meshes, [&](const Point& x) {
     const Point local = kFrame.transpose() * minus(x, kOrigin);
@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(Extremes, OfUniaxialStressInSpaceHaveNoTension) {
   TEST_EQUALITY(found.tension.value, 0.0);
 }
 
-TEUCHOS_UNIT_TEST(ControlledLoads, InSpaceMeasureMeansOfFacesAndSections) {
+TEUCHOS_UNIT_TEST(ControlledLoads, In3DMeasureMeansOfFacesAndSections) {
   for (const Cell cell : solids::cells()) {
     const StrainedCube cube(cell);
     Load mean;
@@ -91,7 +91,7 @@ TEUCHOS_UNIT_TEST(ControlledLoads, InSpaceMeasureMeansOfFacesAndSections) {
   }
 }
 
-TEUCHOS_UNIT_TEST(PointSearch, InSpaceFindsEachPointOnOneRank) {
+TEUCHOS_UNIT_TEST(PointSearch, In3DFindsEachPointOnOneRank) {
   std::mt19937 random(4);
   const auto uniform = [&] { return random() / 4294967296.0; };
   for (const Cell cell : solids::cells()) {
@@ -125,7 +125,7 @@ TEUCHOS_UNIT_TEST(PointSearch, InSpaceFindsEachPointOnOneRank) {
   }
 }
 
-TEUCHOS_UNIT_TEST(PointSearch, InSpaceNamesTheNearestBodyAndItsDistance) {
+TEUCHOS_UNIT_TEST(PointSearch, In3DNamesTheNearestBodyAndItsDistance) {
   const StrainedCube cube(Cell::Tetrahedron4);
   const FoundPoints found =
       findPoints(*solids::world(), cube.meshes, {"body"}, {{kOrigin, -1}, {plus(kFrame * Point{0.3, 0.4, 3}, kOrigin), -1}});
@@ -135,7 +135,7 @@ TEUCHOS_UNIT_TEST(PointSearch, InSpaceNamesTheNearestBodyAndItsDistance) {
   TEST_EQUALITY(found.nearest.at(0), "'body' is nearest, 2 away at " + foot);
 }
 
-TEUCHOS_UNIT_TEST(SolidErrors, InSpaceOfAZeroFieldAreThoseOfTheExactOne) {
+TEUCHOS_UNIT_TEST(SolidErrors, In3DOfAZeroFieldAreThoseOfTheExactOne) {
   // u = (x y, y z^2, 2): integrals over the unit cube 1/9 + 1/15 + 4; s = (x, 0, 0, 0, y, 0): by Hooke's law x^2 / E + y^2 / mu.
   ExactFields exact;
   exact.displacement = {Expression("x*y"), Expression([](const Point& x) { return x[1] * x[2] * x[2]; }), Expression("2")};
@@ -152,7 +152,7 @@ TEUCHOS_UNIT_TEST(SolidErrors, InSpaceOfAZeroFieldAreThoseOfTheExactOne) {
   }
 }
 
-TEUCHOS_UNIT_TEST(SolidErrors, InSpaceVanishForTheFieldItself) {
+TEUCHOS_UNIT_TEST(SolidErrors, In3DVanishForTheFieldItself) {
   for (const Cell cell : solids::cells()) {
     Mesh mesh = boxes({solids::cube(cell, 3)});
     solids::distort(mesh, 0.03, true);

@@ -164,7 +164,7 @@ TEUCHOS_UNIT_TEST(GmshReader, TurnsAClockwiseSurfaceRound) {
   }
 }
 
-TEUCHOS_UNIT_TEST(GmshReader, PassesOnWhatGmshSaysWithTheUsersFileName) {
+TEUCHOS_UNIT_TEST(GmshReader, PassesOnGmshMessagesWithTheUsersFileName) {
   const Folder folder;
   const std::string path = folder.write("a.geo", "DefineConstant[ W = {1} ];\nx = bar;");  // no newline: Gmsh sees a copy
   const std::string said = problemsOf([&] { readGmsh({path, {{"W", 2}}, 1.0}); });
@@ -186,7 +186,7 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesAGeometryWithoutSurface) {
 }
 
 // Statements that do more than describe a mesh, each in the ways that a file might hide it.
-TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatHasNoBusinessInAGeometry) {
+TEUCHOS_UNIT_TEST(GmshReader, RefusesStatementsThatDoNotDescribeAGeometry) {
   const Folder folder;
   const std::string mark = folder.path() + "/mark";
   const std::pair<std::string, std::string> all[] = {

@@ -59,7 +59,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-// Message of the reader for a file that is sound except for the change that `change` makes to the mesh.
+// Message of the reader for a valid mesh after `change` has modified it.
 std::string saidAbout(const std::function<void(Mesh&)>& change) {
   const Folder folder;
   Mesh mesh = sample();
@@ -186,6 +186,6 @@ TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesAChangedBit) {
   TEST_ASSERT(meshtesting::sameEverywhere(said));
 }
 
-TEUCHOS_UNIT_TEST(Hdf5Mesh, SaysThatAFolderCannotBeWritten) {
+TEUCHOS_UNIT_TEST(Hdf5Mesh, ReportsAFolderThatCannotBeWritten) {
   TEST_THROW(writeHdf5Mesh(*world(), sample(), "/no/such/folder/m.h5"), EnvironmentError);
 }

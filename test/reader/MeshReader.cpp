@@ -47,7 +47,7 @@ TEUCHOS_UNIT_TEST(MeshReader, WantsEitherAFileOrAGenerator) {
   SUTURE_CHECK_SAYS(said("<Parameter name=\"Generator\" type=\"string\" value=\"Boxes\"/>", "."), "Mesh/Boxes");
 }
 
-TEUCHOS_UNIT_TEST(MeshReader, SaysWhatItCannotRead) {
+TEUCHOS_UNIT_TEST(MeshReader, ReportsUnreadableFiles) {
   const Folder folder;
   folder.write("a.vtk", "");
   folder.write("garbage.msh", "garbage");
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(MeshReader, ReadsTheTunnelOnRankZero) {
   TEST_EQUALITY(mesh.sideGroups.size(), std::size_t(root ? 9 : 0));
 }
 
-TEUCHOS_UNIT_TEST(MeshReader, SaysTheSameOfAnUnknownConstantEverywhere) {
+TEUCHOS_UNIT_TEST(MeshReader, ReportsAnUnknownConstantAlikeOnAllRanks) {
   const std::string constants = "<ParameterList name=\"Constants\"><Parameter name=\"tlt\" type=\"double\" value=\"1\"/></ParameterList>";
   const std::string text = said(fileParameter("tunnel.geo") + constants, SUTURE_SOURCE_DIR "/input/tunnel");
   SUTURE_CHECK_SAYS(text, "Mesh/Constants/tlt: ");

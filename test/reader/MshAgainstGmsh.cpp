@@ -245,7 +245,7 @@ TEUCHOS_UNIT_TEST(MshAgainstGmsh, ReadsTheSameMesh) {
               }
 }
 
-TEUCHOS_UNIT_TEST(MshAgainstGmsh, ReadsTheSameMeshInSpace) {
+TEUCHOS_UNIT_TEST(MshAgainstGmsh, ReadsTheSameMeshIn3D) {
   const Gmsh started;
   const Folder folder;
   for (const auto& [prisms, order, incomplete] : {std::tuple(false, 1, false), {false, 2, false}, {false, 2, true}, {true, 1, false}})

@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesAtNodesOfNoElement) {
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({both, {}, 1.0}); }), "are not sides of any surface element (the first at (3, 0))");
 }
 
-TEUCHOS_UNIT_TEST(MshReader, RefusesWhatIsNotPlane) {
+TEUCHOS_UNIT_TEST(MshReader, RefusesMeshesThatAreNotPlane) {
   const Folder folder;
   const std::string lifted = folder.write("a.msh", msh2("1 0 0 0\n2 1 0 0\n3 1 1 0.5\n4 0 1 0\n", "1 2 2 1 1 1 2 3\n", 4, 1));
   SUTURE_CHECK_SAYS(problemsOf([&] {
@@ -148,7 +148,7 @@ TEUCHOS_UNIT_TEST(MshReader, SkipsOtherSectionsAndLineEndsOfOtherSystems) {
 }
 
 // Groups of version 2 are those that the elements name, although all have the same entity here.
-TEUCHOS_UNIT_TEST(MshReader, TellsGroupsOfVersion2Apart) {
+TEUCHOS_UNIT_TEST(MshReader, DistinguishesGroupsOfVersion2) {
   const Folder folder;
   const Mesh mesh = readGmsh(
       {folder.write("a.msh", msh2(squareFile, "1 2 2 1 1 1 2 3\n2 2 2 2 1 1 3 4\n3 1 1 6 1 2\n4 1 4 3 1 1 -2 3 4\n", 4, 4)), {}, 1.0});
@@ -185,7 +185,7 @@ TEUCHOS_UNIT_TEST(MshReader, NamesElementsThatItDoesNotKnow) {
                     "1 elements of the kind 'Gmsh type 34' (in the group 'body', 'surface 7')");
 }
 
-TEUCHOS_UNIT_TEST(MshReader, TellsWhereAFileIsWrong) {
+TEUCHOS_UNIT_TEST(MshReader, ReportsWhereAFileIsWrong) {
   const Folder folder;
   const auto said = [&](const std::string& text) { return problemsOf([&] { readGmsh({folder.write("a.msh", text), {}, 1.0}); }); };
   const auto saidWith = [&](const std::string& old, const std::string& by) { return said(replaced(square41, old, by)); };
@@ -218,7 +218,7 @@ TEUCHOS_UNIT_TEST(MshReader, TellsWhereAFileIsWrong) {
   SUTURE_CHECK_SAYS(said(square41 + "1 2"), "expected a section such as $Nodes, found '1'");
 }
 
-TEUCHOS_UNIT_TEST(MshReader, TellsWhereABinaryFileIsWrong) {
+TEUCHOS_UNIT_TEST(MshReader, ReportsWhereABinaryFileIsWrong) {
   const Folder folder;
   const auto said = [&](const std::string& text) { return problemsOf([&] { readGmsh({folder.write("a.msh", text), {}, 1.0}); }); };
   const std::string sound = binarySquare();
@@ -277,7 +277,7 @@ TEUCHOS_UNIT_TEST(MshReader, ReadsRealsToTheLastBit) {
 
 // Seconds depend on the machine and its load: the reader is compared with a stream that reads every byte of the same file. The ratio is
 // about 1. 300.
-TEUCHOS_UNIT_TEST(MshReader, TakesFewTimesALookAtEveryByte) {
+TEUCHOS_UNIT_TEST(MshReader, TakesFewTimesAScanOfEveryByte) {
   constexpr int n = 250;
   std::string nodes, elements;
   for (int i = 0; i < n * n; ++i) {

@@ -115,7 +115,7 @@ TEUCHOS_UNIT_TEST(FrictionScenes, PushesABlockOverAPlane) {
   }
 }
 
-// V17, SSNV503 of Code_Aster: 300 N/mm2 on 40 mm press with 12 kN, of which .3 are 3600 N; a spring of 4 N/mm takes what is more.
+// V17, SSNV503 of Code_Aster: 300 N/mm2 on 40 mm press with 12 kN, of which .3 are 3600 N; a spring of 4 N/mm takes the excess.
 TEUCHOS_UNIT_TEST(FrictionScenes, APadSlidesUntilItsSpringCarriesTheRest) {
   for (const double pull : {178.2, 181.8}) {
     Box box;
@@ -134,7 +134,7 @@ TEUCHOS_UNIT_TEST(FrictionScenes, APadSlidesUntilItsSpringCarriesTheRest) {
     const MonolithicResult result = solved(scene);
     TEST_ASSERT(result.converged);
     const Sums sums = sumsOf(scene, result);
-    // Statics alone say how far the springs give way in the mean; the rest is the deformation of the pad.
+    // Statics alone determines the mean deflection of the springs; the rest is the deformation of the pad.
     const double slip = std::max(0.0, 20.0 * pull - 3600.0) / 4.0, deformation = 300.0 / 1e8 * 40.0;
     for (const int node : scene.nodesOf("body_bottom")) TEST_COMPARE(std::abs(result.displacement[2 * node] - slip), <, deformation);
     double mean = 0.0;
@@ -186,7 +186,7 @@ TEUCHOS_UNIT_TEST(FrictionScenes, TwoTiedBlocksAreOne) {
     const std::string bottom = scene == &one ? "body_bottom" : "lower_bottom", top = scene == &one ? "body_top" : "upper_top";
     scene->hold(bottom, 0, 0.0);
     scene->hold(bottom, 1, 0.0);
-    scene->traction(top, {3e4, 1e4, 0});  // pulls up and along: only what is glued carries it
+    scene->traction(top, {3e4, 1e4, 0});  // pulls up and along: only glue carries it
   }
   two = with(two, std::make_shared<Tied>());
   const MonolithicResult whole = solved(one), glued = solved(two);
@@ -227,7 +227,7 @@ TEUCHOS_UNIT_TEST(FrictionScenes, SidesThatNeverPartPullAndSlide) {
   }
 }
 
-/// Block that its weight of 2 x 1e4 pulls down an incline; the frame of the scene is that of the incline.
+/// A block that its weight of 2 x 1e4 pulls down an incline, in the frame of the incline.
 Scene onIncline(double degrees, bool inSpace) {
   Box box;
   box.x1 = 2;
@@ -268,7 +268,7 @@ TEUCHOS_UNIT_TEST(FrictionScenes, FrictionAloneHoldsABlockOnAnIncline) {
     };
     TEST_ASSERT(refused(with(scene, dry(0.0, 0.3)), "can move"));  // tan 20 = .364: known before the solve
     TEST_ASSERT(refused(with(scene, std::make_shared<Frictionless>()), "can move"));
-    // A bound without pressure: the solver finds out. 3420 a unit of area are needed.
+    // A bound without pressure: the solver detects it. 3420 per unit area are needed.
     const MonolithicResult held = solved(with(scene, dry(4200.0, 0.0)));
     TEST_ASSERT(held.converged);
     TEST_ASSERT(refused(with(scene, dry(3300.0, 0.0)), "no equilibrium exists: body 'body' slides away"));
@@ -302,7 +302,7 @@ Scene turnedBlock(double angle, std::vector<int>* nodes = nullptr) {
   return scene;
 }
 
-TEUCHOS_UNIT_TEST(FrictionScenes, TheConeInSpaceHasNoPlanes) {
+TEUCHOS_UNIT_TEST(FrictionScenes, TheConeIn3DIsRound) {
   const double angle = 30.0 * kDegree, c = std::cos(angle), s = std::sin(angle);
   for (const LawPtr& law : {dry(0.0, 0.4), dry(0.015, 0.0), dry(0.005, 0.3)}) {
     const Scene straight = with(turnedBlock(0.0), law), turned = with(turnedBlock(angle), law);
@@ -326,7 +326,7 @@ TEUCHOS_UNIT_TEST(FrictionScenes, TheConeInSpaceHasNoPlanes) {
 }
 
 TEUCHOS_UNIT_TEST(FrictionScenes, ASecondStepGoesOnFromTheSlipOfTheFirst) {
-  // Solved again with its own slip as that before the step, nothing slides any further: the slipping pairs have come to rest.
+  // Solved again with its slip as that before the step, nothing slides any further: the slipping pairs stick.
   const Scene scene = with(pushedBlock(8), dry(0.0, 0.3));
   const MonolithicResult first = solved(scene);
   Scene next = scene;

@@ -59,7 +59,7 @@ TEUCHOS_UNIT_TEST(Monolithic, PassesThePatchTestForAnyRatioOfYoungModuli) {
       TEST_ASSERT(pair.state == PairStatus::Slip);
       TEST_COMPARE(std::abs(pair.gap), <, 1e-12 * by);
     }
-    // Forces and energy come from the displacement, whose last digit is that much force in a body so much stiffer.
+    // Forces and energy follow from the displacement, whose last digit corresponds to that force in a body so much stiffer.
     const double digits = std::max(1.0, 1e-3 * std::max(ratio, 1 / ratio));
     TEST_COMPARE(result.balance.imbalance, <, 1e-11 * digits);
     // energy of two uniformly compressed blocks of area 2
@@ -118,7 +118,7 @@ TEUCHOS_UNIT_TEST(Monolithic, SolvesABodyHeldByContactOnly) {
 }
 
 TEUCHOS_UNIT_TEST(Monolithic, ALooseBodyMayLiftPartOfItsSeat) {
-  // pressed at its left end only: moments about the seat decide which pairs stay closed, forces balance whatever they are
+  // pressed at its left end only: moments about the seat decide which pairs stay closed; forces balance for any choice
   Scene scene = scenes::twoBlocks(16, 8, 8, 2e6, 0.3);
   scene.fixLower();
   scene.hold("upper_right", 0, 0.0);
@@ -205,7 +205,7 @@ TEUCHOS_UNIT_TEST(Monolithic, AxesOfTheNodesDoNotMatter) {
   };
   const MonolithicResult plain = solve(build(false)), rotated = solve(build(true));
   TEST_ASSERT(plain.converged && rotated.converged);
-  TEST_EQUALITY(plain.contactDofs, 2 * rotated.contactDofs);  // one a node in the axes of its pair
+  TEST_EQUALITY(plain.contactDofs, 2 * rotated.contactDofs);  // one per node in the axes of its pair
   TEST_COMPARE((plain.displacement - rotated.displacement).norm(), <, 1e-11 * plain.displacement.norm());
   TEST_FLOATING_EQUALITY(totalForce(plain), totalForce(rotated), 1e-10);
 }
@@ -233,7 +233,8 @@ TEUCHOS_UNIT_TEST(Monolithic, OrderingChangesTheFactorNotTheAnswer) {
 }
 
 TEUCHOS_UNIT_TEST(Monolithic, ScalesTheRowOfANodeWithAPrescribedComponent) {
-  // All nodes slide vertically between guides; the contact plane leans. Vertically the gap is g / n_y, and the wall takes the rest.
+  // All nodes slide vertically between guides; the contact plane is inclined. Vertically the gap is g / n_y, and the wall takes the
+  // horizontal force.
   const double gap = 0.01, by = 0.1, ny = 0.8, pressure = 1e6 * (by - gap / ny);
   Scene scene = pushed(2e6, 2e6, by);
   for (int i = 0; i < scene.mesh.nodes(); ++i) scene.holdNode(i, 0, 0.0);

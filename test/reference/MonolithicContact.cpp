@@ -47,7 +47,7 @@ Enumerated enumerate(const CondensedContact& problem) {
   return found;
 }
 
-// Two bodies of m dofs each, randomly stiff, each tied to the ground with `held` or loose in a random direction; p rows between them.
+// Two bodies of m dofs each, of random stiffness, each tied to the ground with `held` or loose in a random direction; p rows between them.
 CondensedContact randomProblem(std::mt19937& random, int m, int p, bool loose, double jump) {
   std::normal_distribution<double> value;
   const auto matrix = [&](int rows, int columns) {

@@ -17,7 +17,7 @@ namespace {
 using scenes::dry;
 using LawPtr = std::shared_ptr<const ContactLaw>;
 
-/// A law of a user's own: the bound of the tangential force is a root of the normal one, and its tangent is what the state says.
+/// A user's law: the bound of the tangential force is a root of the normal one, with its derivative as the state's friction.
 class Rooted : public ContactLaw {
  protected:
   bool doRestrictsSliding() const override { return true; }
@@ -63,7 +63,7 @@ struct Random {
     problem.surfaces = dimension == 3;
     std::vector<double> bounds;
     for (int node = 0; node < nodes; ++node) {
-      // The normal: the last axis, a little turned.
+      // The normal: the last axis, slightly rotated.
       Matrix frame = 0.2 * matrix(dimension, dimension);
       for (int k = 0; k < dimension; ++k) frame(k, (k + dimension - 1) % dimension) += 1.0;
       const Matrix q = Eigen::HouseholderQR<Matrix>(frame.transpose()).householderQ();
@@ -85,12 +85,12 @@ struct Random {
       }
     }
     problem.bounds = Eigen::Map<Vector>(bounds.data(), Eigen::Index(bounds.size()));
-    if (loose)  // pressed on the first: together stronger than what pulls along
+    if (loose)  // pressed on the first: the sum exceeds the tangential pull
       for (int node = 0; node < nodes; ++node) problem.load[m + node * dimension + dimension - 1] -= 4.0;
   }
 };
 
-/// Largest violation of the conditions of a solution, each by itself: nothing of the solver's equations is used.
+/// Largest violation of the conditions of a solution, each separately: the solver's equations are not used.
 double violation(const CondensedContact& problem, const ContactSolution& found) {
   Vector forces = problem.stiffness * found.x - problem.load, gap = problem.bounds;
   for (Eigen::Index i = 0; i < gap.size(); ++i)
@@ -117,7 +117,7 @@ double violation(const CondensedContact& problem, const ContactSolution& found) 
       atMost(slip.norm(), 0.0);
       continue;
     }
-    // The bound by a trial that slides without doubt, at the normal force found.
+    // The bound from a trial that certainly slides, at the computed normal force.
     ContactTrial trial;
     trial.size = 1.0;
     trial.force[0] = normal;
@@ -243,7 +243,7 @@ TEUCHOS_UNIT_TEST(MonolithicFriction, AgreesWithTheEnumerationOfAllStates) {
     TEST_COMPARE(nearest, <, 1e-9 * (1.0 + found.force.norm()));
   }
   TEST_COMPARE(solutions, >, 60);
-  TEST_COMPARE(none, >, 0);  // that there is none is found, too
+  TEST_COMPARE(none, >, 0);  // that there is none is detected, too
 }
 
 TEUCHOS_UNIT_TEST(MonolithicFriction, FulfilsTheConditionsOfRandomProblems) {

@@ -9,7 +9,7 @@ using namespace suture;
 
 namespace {
 
-// Displacements and states of all pairs come back to the last bit, on every rank.
+// Displacements and states of all pairs are restored to the last bit, on every rank.
 void comesBack(sample::SampleRun& sample, const std::string& name, bool slides, bool& success, Teuchos::FancyOStream& out) {
   prepareFolder(*sample.comm_, sample.folder_);
   const std::string path = sample.folder_ + "/" + name;
@@ -81,7 +81,7 @@ TEUCHOS_UNIT_TEST(Checkpoint, ReadsFilesWithoutTheSlopeOfTheLaw) {
   }
 }
 
-// The path of load steps comes back to the last bit, on every rank; forces of lines on rank 0 were written, and all ranks read them.
+// The path of load steps is restored to the last bit, on every rank; forces of lines on rank 0 were written, and all ranks read them.
 TEUCHOS_UNIT_TEST(Checkpoint, KeepsThePathOfLoadSteps) {
   sample::SampleRun sample(sample::folderOf("checkpoint_path"));
   prepareFolder(*sample.comm_, sample.folder_);

@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(Comparison, DoesNotJudgeIterationsAndSubdomains) {
   TEST_ASSERT(!compareSummaries(then.dump(), now.dump()).agrees());
 }
 
-TEUCHOS_UNIT_TEST(Comparison, NeverAgreesWithWhatIsNotFinite) {
+TEUCHOS_UNIT_TEST(Comparison, NeverAgreesWithValuesThatAreNotFinite) {
   const json then = sampleSummary();
   if (then.is_null()) return;
   json now = then;

@@ -23,7 +23,7 @@ TEUCHOS_UNIT_TEST(Console, HeaderNamesSceneAndSizes) {
                                  "interface, 4 pairs in 2 pieces\n") != std::string::npos);
 }
 
-TEUCHOS_UNIT_TEST(Console, FooterSaysHowItEnded) {
+TEUCHOS_UNIT_TEST(Console, FooterPrintsTheOutcome) {
   sample::SampleRun sample("unused");
   std::ostringstream console;
   const RunFigures figures = runFigures(sample.run());
@@ -44,7 +44,7 @@ TEUCHOS_UNIT_TEST(Console, FooterCountsThePairsThatStickAndSlip) {
               std::string::npos);
 }
 
-TEUCHOS_UNIT_TEST(Console, FooterTellsTheErrorsThatAreKnown) {
+TEUCHOS_UNIT_TEST(Console, FooterPrintsTheKnownErrors) {
   sample::SampleRun sample("unused");
   sample.solution_.errors = {{"displacement_l2", 1.25e-5}, {"displacement_l2_relative", 0.00123}, {"pressure_l2", 2.0}};
   std::ostringstream console;

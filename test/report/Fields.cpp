@@ -12,7 +12,7 @@ using namespace suture;
 
 namespace {
 
-// All tests look at the same report; read_with_vtk.py and suture_plot read it after them.
+// All tests use the same report; read_with_vtk.py and suture_plot read it after them.
 std::string written() {
   static bool done = false;
   const std::string folder = sample::folderOf("fields");
@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(Fields, PrincipalStressesTurnTheTensorDiagonal) {
   const std::vector<double> d2 = file.readReals("/VTKHDF/CellData/PrincipalDirection2");
   const sample::Stress exact = sample::exactStress();
   for (std::size_t i = 0; i < s.size(); i += 3) {
-    // The tensor put together again from its axes.
+    // The tensor rebuilt from its principal axes.
     const double xx = s[i] * d1[i] * d1[i] + s[i + 1] * d2[i] * d2[i];
     const double yy = s[i] * d1[i + 1] * d1[i + 1] + s[i + 1] * d2[i + 1] * d2[i + 1];
     const double xy = s[i] * d1[i] * d1[i + 1] + s[i + 1] * d2[i] * d2[i + 1];
@@ -86,8 +86,8 @@ TEUCHOS_UNIT_TEST(Fields, CarryTheEstimatedErrorOfEveryElementIfThereIsOne) {
   TEST_EQUALITY(file.readTextAttribute("/VTKHDF/CellData/ErrorEstimate", "unit"), "(Pa m^2)^(1/2)");
 }
 
-// 18,432 elements: written in several pieces by up to three ranks. Cells, put together again rank by rank, are the triangles of the boxes,
-// each with its own number, and no point occurs twice on a rank.
+// 18,432 elements: written in several pieces by up to three ranks. The cells, collected rank by rank, are the triangles of the boxes, each
+// with its number, and no point occurs twice on a rank.
 TEUCHOS_UNIT_TEST(Fields, OfSeveralPiecesAreOneGrid) {
   const int finer = 16;
   const std::string folder = sample::folderOf("fields_fine");
@@ -188,7 +188,7 @@ TEUCHOS_UNIT_TEST(ContactFields, JoinThePairsOfALineAndKeepALonelyOne) {
   TEST_EQUALITY(active[2], 0);
 }
 
-TEUCHOS_UNIT_TEST(ContactFields, TellForcesSlipsAndStatesOfPairsThatRub) {
+TEUCHOS_UNIT_TEST(ContactFields, ReportForcesSlipsAndStatesOfSlidingPairs) {
   const std::string folder = sample::folderOf("rubbing"), points = "/VTKHDF/PointData/";
   sample::SampleRun sample(folder);
   prepareFolder(*sample.comm_, folder);

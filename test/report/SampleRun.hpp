@@ -26,7 +26,7 @@ Stress exactStress();
 
 class SampleRun {
  public:
-  /// \param finer  as many times the cells in x and in y
+  /// \param finer  factor for the number of cells in x and in y
   explicit SampleRun(const std::string& folder, int finer = 1);
 
   static std::vector<suture::OuterRow> rows();
@@ -60,7 +60,7 @@ class SampleRun {
   void makeSolution();
 };
 
-// A folder of this test's own, "<name>_np<ranks>" beside the program; the python tests look for it there.
+// A folder of this test, "<name>_np<ranks>" next to the program; the python tests look for it there.
 inline std::string folderOf(const std::string& name) { return name + "_np" + std::to_string(Tpetra::getDefaultComm()->getSize()); }
 
 }  // namespace sample

@@ -106,7 +106,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample.solution_.neutral = {{"left", "move (1, 0)", true, true}};
   sample.solution_.sharedForces = {{{"joint", "seat"}, 3, {"joint"}}};
   sample.rub();
-  sample.scene_.path = SUTURE_SOURCE_DIR "/README.md";  // any file: the record of a scene that is none is null
+  sample.scene_.path = SUTURE_SOURCE_DIR "/README.md";  // any file: the record of an invalid scene is null
   sample.scene_.overrides = {"Title=other"};
   prepareFolder(*sample.comm_, sample.folder_);
   Run run = sample.run();
@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
     }
 }
 
-TEUCHOS_UNIT_TEST(Summary, TellsTheLargestConditionAndHowEvenlyTheElementsLie) {
+TEUCHOS_UNIT_TEST(Summary, ReportsTheLargestConditionAndTheBalanceOfElements) {
   sample::SampleRun sample(sample::folderOf("summary"));
   sample.solution_.coarseSize = 7;
   prepareFolder(*sample.comm_, sample.folder_);
@@ -169,7 +169,7 @@ TEUCHOS_UNIT_TEST(Summary, SumsUpFrictionWhereThereIsSome) {
   const json smooth = readJson(path)["contact"];
   TEST_ASSERT(!smooth.contains("friction") && !smooth["by_piece"]["joint"].contains("friction"));
   sample.rub();
-  sample.comm_->barrier();  // all have read
+  sample.comm_->barrier();  // all ranks have read it
   writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, path);
   const json all = readJson(path), contact = all["contact"], friction = contact["friction"],
              joint = contact["by_piece"]["joint"]["friction"];
@@ -183,14 +183,14 @@ TEUCHOS_UNIT_TEST(Summary, SumsUpFrictionWhereThereIsSome) {
   TEST_EQUALITY(joint["sticking"].get<int>(), 1);
   TEST_FLOATING_EQUALITY(joint["mean_mobilisation"].get<double>(), 1.4 / 2.0, 1e-15);
   TEST_EQUALITY(contact["by_piece"]["crack"]["friction"]["max_mobilisation"].get<double>(), 0.5);
-  TEST_FLOATING_EQUALITY(contact["force"]["joint"][0].get<double>(), 1.4, 1e-15);  // whole forces, here as in `reactions`
+  TEST_FLOATING_EQUALITY(contact["force"]["joint"][0].get<double>(), 1.4, 1e-15);  // total forces, here as in `reactions`
   TEST_FLOATING_EQUALITY(contact["force"]["joint"][1].get<double>(), 5.0, 1e-15);
   TEST_FLOATING_EQUALITY(all["reactions"]["contacts"]["joint"]["force"][0].get<double>(), 1.4, 1e-15);
   TEST_FLOATING_EQUALITY(all["reactions"]["contacts"]["joint"]["moment"][0].get<double>(), 1.5 - 1.4, 1e-13);  // at the height 1
 }
 
 // A linear field: all stresses follow Hooke's law, and the first node is reported.
-TEUCHOS_UNIT_TEST(Summary, TellsTheExtremesAndTheirPlaces) {
+TEUCHOS_UNIT_TEST(Summary, ReportsTheExtremesAndTheirPlaces) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
   writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
@@ -224,7 +224,7 @@ TEUCHOS_UNIT_TEST(Summary, SumsUpConditionsAndContacts) {
   TEST_FLOATING_EQUALITY(joint["centre"][0].get<double>(), 0.3, 1e-15);
   TEST_EQUALITY(joint["closed"].get<double>(), 1.0);
   TEST_EQUALITY(joint["whole"].get<double>(), 1.5);
-  TEST_EQUALITY(reactions["sum"]["force"], json::array({1.0, 4.0}));  // contact between bodies is none of it
+  TEST_EQUALITY(reactions["sum"]["force"], json::array({1.0, 4.0}));  // contact between bodies is not included
 }
 
 TEUCHOS_UNIT_TEST(Tables, HaveARowAPairAndAConditionWithNamesThatSpreadsheetsRead) {
@@ -295,7 +295,7 @@ TEUCHOS_UNIT_TEST(Summary, NestsTheResolvedParameters) {
   TEST_EQUALITY(parameters["Partition"]["METIS"]["Seed"].get<int>(), 7);
 }
 
-TEUCHOS_UNIT_TEST(Summary, SaysThatARunFailed) {
+TEUCHOS_UNIT_TEST(Summary, ReportsAFailedRun) {
   sample::SampleRun sample(sample::folderOf("summary"));
   sample.solution_.converged = false;
   sample.solution_.failure = "50 iterations were not enough";
@@ -309,7 +309,7 @@ TEUCHOS_UNIT_TEST(Summary, SaysThatARunFailed) {
   TEST_ASSERT(all["energy"].is_null());
 }
 
-TEUCHOS_UNIT_TEST(Summary, SaysWhichErrorsAreKnown) {
+TEUCHOS_UNIT_TEST(Summary, ReportsTheKnownErrors) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
   const auto written = [&] {

@@ -69,7 +69,7 @@ TEUCHOS_UNIT_TEST(Answers, OfUniformTensionAreExact) {
   }
 }
 
-/// Pure bending: linear stress, which recovered stresses have up to the surface, and those at centroids do not.
+/// Pure bending: linear stress, which recovered stresses reproduce up to the surface, and centroid stresses do not.
 TEUCHOS_UNIT_TEST(Answers, OfACoupleAreThoseOfTheBeam) {
   const double slope = 4e4;
   const auto scene = [&](const char* nodal) {
@@ -148,7 +148,7 @@ TEUCHOS_UNIT_TEST(Answers, NameAllBodiesOfASide) {
   TEST_ASSERT(found[1].bodies[1].empty());
 }
 
-TEUCHOS_UNIT_TEST(Answers, OfAnObstacleSumToNothing) {
+TEUCHOS_UNIT_TEST(Answers, OfAnObstacleSumToZero) {
   ElasticModel model = modelOf({"body"}, 2e6, 0.2);
   model.loads = {Load::pressure("body_top", 1e4)};
   const auto box = [] { return boxes({{"body", 0, 2, 0, 1, 8, 4}}); };
@@ -182,7 +182,7 @@ TEUCHOS_UNIT_TEST(Answers, OfAnObstacleSumToNothing) {
   TEST_EQUALITY(lines, 1 + 2 + 1 + 1);
 }
 
-TEUCHOS_UNIT_TEST(Answers, OfARevolutionAreThoseOfTheWholeCircle) {
+TEUCHOS_UNIT_TEST(Answers, OfAnAxisymmetricBodyAreThoseOfTheWholeCircle) {
   const double pi = std::acos(-1.0), pull = 5e3;
   Simulation simulation(blocks::world(), bar(Load::traction("bar_top", {0, pull, 0}), {"Outer Solver/Tolerance=1e-12"}, 0.0, true));
   const Solution& solution = simulation.solve();
@@ -270,7 +270,7 @@ TEUCHOS_UNIT_TEST(Probes, OutsideTheBodiesAreRefusedBeforeAnythingIsSolved) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Largest, TellsTheFirstOfEqualPlacesInAnyOrder) {
+TEUCHOS_UNIT_TEST(Largest, ReportsTheFirstOfEqualPlacesInAnyOrder) {
   const auto at = [](double x) { return [x] { return Point{x, 0, 0}; }; };
   Largest forwards, backwards, whole;
   const std::vector<double> values{0.5, 1.0, 1.0 + 1e-9, 0.999, 1.0 + 2e-9, 1.0 - 1e-8};

@@ -49,7 +49,7 @@ double sumOf(const std::vector<double>& mine) {
   return all;
 }
 
-/// Largest difference of displacements over the largest of them, over all ranks: the cuts are the same.
+/// Largest difference of displacements over the largest displacement, over all ranks; both runs have the same partition.
 double distanceBetween(const Simulation& one, const Simulation& other) {
   double mine[2] = {0.0, 0.0}, all[2];
   for (std::size_t i = 0; i < one.meshes().size(); ++i) {
@@ -109,7 +109,7 @@ TEUCHOS_UNIT_TEST(Coupling, HasEveryNodeOfAGroupOnceWithItsSizeAndNormal) {
   }
 }
 
-// Forces of a uniform traction are the traction times the areas, and stretch the bar as the formula says.
+// Forces of a uniform traction equal the traction times the areas, and stretch the bar as the formula predicts.
 TEUCHOS_UNIT_TEST(Coupling, AUniformTractionAsNodalForcesStretchesABarAsItMust) {
   for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Quadrilateral9}) {
     Simulation simulation(blocks::world(), bar({}, cell));
@@ -143,7 +143,7 @@ TEUCHOS_UNIT_TEST(Coupling, ALinearSceneWhoseLoadsGrowTogetherIsSolvedAlready) {
   simulation.setTractions(surface, shear(-7e3));
   TEST_COMPARE(simulation.solveAgain().auxiliary.pcg, <=, 2);
   TEST_ASSERT(simulation.ending() == ExitCode::Done);
-  simulation.setTractions(surface, shear(0.0));  // nothing is left of what was before
+  simulation.setTractions(surface, shear(0.0));  // nothing remains of the previous step
   simulation.solveAgain();
   for (const double u : simulation.displacements(surface)) TEST_EQUALITY(u, 0.0);
 }
@@ -167,7 +167,7 @@ Scene blocksWith(const std::vector<Load>& loads, const std::vector<std::string>&
       held, {Contact::between("upper_bottom", "lower_top")}, all);
 }
 
-/// Tractions that tip the block more or less: pairs open and close again.
+/// Tractions that tip the block by varying amounts: pairs open and close again.
 Field tipping(double amount) {
   return [amount](const Point& p) { return Point{100.0 * amount * p[0], -2e3 + amount * 3e3 * (p[0] - 1.0), 0}; };
 }
@@ -234,7 +234,7 @@ TEUCHOS_UNIT_TEST(Coupling, MovesAHeldGroupAsAConditionDoes) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Coupling, InSpaceTractionsAreThoseOfACondition) {
+TEUCHOS_UNIT_TEST(Coupling, In3DTractionsAreThoseOfACondition) {
   const Field field = [](const Point& p) { return Point{1e3 * p[1], -2e3 * p[0], 3e4 + 1e4 * p[0]}; };
   for (const Cell cell : {Cell::Tetrahedron4, Cell::Hexahedron20}) {
     const auto scene = [cell = cell](const std::vector<Load>& loads) {
@@ -263,7 +263,7 @@ TEUCHOS_UNIT_TEST(Coupling, InSpaceTractionsAreThoseOfACondition) {
   }
 }
 
-/// A block pressed on another one by what stands on it, with friction; pushed from the right as the condition says.
+/// A block pressed on another one by a load on top, with friction; pushed from the right by the given condition.
 const char* const rubbing = R"xml(<ParameterList name="Suture">
   <ParameterList name="Mesh"><Parameter name="Generator" type="string" value="Boxes"/><ParameterList name="Boxes">
     <ParameterList name="upper"><Parameter name="X" type="Array(double)" value="{0, 2}"/><Parameter name="Y" type="Array(double)" value="{0, 1}"/>

@@ -1,4 +1,4 @@
-// Loads of unknown amount: prescribed mean displacements and forces of bolts, against closed forms, on any number of ranks.
+// Loads of unknown size: prescribed mean displacements and forces of bolts, against closed forms, on any number of ranks.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/base/Errors.hpp>
@@ -60,7 +60,7 @@ TEUCHOS_UNIT_TEST(LoadControl, LeavesTheTargetToTheVerdict) {
   TEST_ASSERT(!targetCheck(*blocks::world(), other, simulation.meshes(), solution).holds());
 }
 
-TEUCHOS_UNIT_TEST(LoadControl, TellsATargetThatNothingReaches) {
+TEUCHOS_UNIT_TEST(LoadControl, ReportsATargetThatNothingReaches) {
   Simulation simulation(blocks::world(), pulledBar(Load::meanDisplacement("bar_left", 0, 1e-3), {}));
   std::string text;
   try {
@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(LoadControl, GivesEachBoltItsForce) {
     const Solution& solution = simulation.solve();
     out << way.back() << ": " << solution.failure << "\n";
     TEST_ASSERT(simulation.ending() == ExitCode::Done);
-    // The forces on the walls are those of the pillars.
+    // The forces on the walls equal those of the pillars.
     const std::vector<Resultant>& supports = solution.verification.reactions.supports;
     TEST_FLOATING_EQUALITY(supports[1].force[1], -40.0, 1e-6);
     TEST_FLOATING_EQUALITY(supports[2].force[1], -90.0, 1e-6);

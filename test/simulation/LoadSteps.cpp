@@ -1,4 +1,4 @@
-// Paths of load steps against scenes that are solved once, and against what is known of them.
+// Paths of load steps against scenes solved in one step, and against known results.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
@@ -11,7 +11,7 @@
 namespace suture {
 namespace {
 
-/// A block on another one, pressed by the sides that are given, moved along x on top. Gaps and friction as the settings have them.
+/// A block on another one, pressed by the given sides, moved along x on top. Gaps and friction as in the settings.
 const char* const twoBlocks = R"xml(<ParameterList name="Suture">
   <ParameterList name="Mesh"><Parameter name="Generator" type="string" value="Boxes"/><ParameterList name="Boxes">
     <ParameterList name="upper"><Parameter name="X" type="Array(double)" value="{0, 2}"/><Parameter name="Y" type="Array(double)" value="{0, 1}"/>
@@ -70,8 +70,8 @@ struct Path {
   }
 };
 
-/// Largest difference of displacements over the largest of them, over all ranks: the cuts are the same. Of a scene without friction and
-/// load steps they stand beside rigid motions that were taken out.
+/// Largest difference of displacements over the largest displacement, over all ranks; both runs have the same partition. Without friction
+/// and load steps, displacements are relative to rigid motions that were taken out.
 double distanceBetween(const Path& one, const Path& other) {
   double mine[2] = {0.0, 0.0}, all[2];
   for (std::size_t i = 0; i < one.simulation.meshes().size(); ++i) {
@@ -86,7 +86,8 @@ double distanceBetween(const Path& one, const Path& other) {
   return all[0] / all[1];
 }
 
-// Without friction the order of loads means nothing: where the path ends is where the scene with these loads is, with all that was kept.
+// Without friction the order of loads does not matter: the path ends at the solution of the scene with its final loads, with everything
+// reused.
 TEUCHOS_UNIT_TEST(LoadSteps, APathWithoutFrictionEndsWhereTheSceneAloneIs) {
   const std::vector<std::string> factors{"Load Steps/Times={1, 2, 3}", "Load Steps/Factors/press={0.2, 1.5, 0.5}",
                                          "Load Steps/Factors/push=2 - t", "Load Steps/Factors/side={0, 1, -0.5}"};
@@ -124,7 +125,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, APathWithFrictionIsTheReferencesPath) {
   alone.solve();
   TEST_ASSERT(path.simulation.ending() == ExitCode::Done && reference.simulation.ending() == ExitCode::Done);
   TEST_COMPARE(distanceBetween(path, reference), <, 1e-8);
-  TEST_COMPARE(distanceBetween(path, alone), >, 1e-3);  // the way there matters
+  TEST_COMPARE(distanceBetween(path, alone), >, 1e-3);  // the path matters
   double mine = 0.0;
   for (const PairResult& pair : a.pairs) {
     mine += pair.dissipated;
@@ -133,7 +134,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, APathWithFrictionIsTheReferencesPath) {
   if (blocks::world()->getRank() == 0) TEST_COMPARE(mine, >, 0.0);
 }
 
-// A run that ends at time 2, and one that goes on from its checkpoint to 4: as one that was never interrupted.
+// A run that ends at time 2, and one that continues from its checkpoint to 4, equal to an uninterrupted run.
 TEUCHOS_UNIT_TEST(LoadSteps, APathGoesOnFromItsCheckpoint) {
   const std::string ranks = std::to_string(blocks::world()->getSize()), folder = "load_steps_" + ranks;
   const std::vector<std::string> back = with(rubs, {"Load Steps/Factors/press=min(t, 1)", "Load Steps/Factors/push=sin(t)",
@@ -155,7 +156,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, APathGoesOnFromItsCheckpoint) {
   TEST_THROW(again.solve(folder + "/checkpoint.h5"), InputError);
 }
 
-// A lid that is drawn over a plane: more than a fifth of its pairs begin to slide in one step, until steps are short.
+// A lid dragged over a plane: more than a fifth of its pairs begin to slide in one step, until steps are short.
 TEUCHOS_UNIT_TEST(LoadSteps, AStepInWhichManyPairsChangeIsHalved) {
   const std::vector<std::string> drawn = with(rubs, {"Load Steps/Times={1, 2}", "Load Steps/Factors/press=min(t, 1)",
                                                      "Load Steps/Factors/push=max(0, t - 1)", "Boundary Conditions/side/Expression=0*x"});

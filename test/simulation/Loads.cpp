@@ -47,13 +47,13 @@ struct Stack {
   }
 };
 
-/// Displacement of a node of the mesh. Plain.
+/// Displacement of a mesh node; trivially copyable.
 struct Moved {
   GlobalId node;
   double u[2];
 };
 
-/// Displacements of all nodes by their numbers, on all ranks: methods cut a scene each in its way.
+/// Displacements of all nodes by their numbers, on all ranks, since methods partition a scene differently.
 std::map<GlobalId, std::array<double, 2>> displacementsOf(const Simulation& simulation) {
   std::vector<Moved> mine;
   for (std::size_t i = 0; i < simulation.meshes().size(); ++i) {
@@ -89,7 +89,7 @@ std::vector<Resultant> rowsOf(const Simulation& simulation) {
   return rows;
 }
 
-/// Forces and moments of all rows have no sum, and are those of the reference one by one.
+/// Forces and moments of all rows sum to zero, and each equals that of the reference.
 void checkReactions(const Simulation& simulation, const Simulation& reference, Teuchos::FancyOStream& out, bool& success) {
   const std::vector<Resultant> own = rowsOf(simulation), other = rowsOf(reference);
   TEST_EQUALITY(own.size(), other.size());
@@ -106,7 +106,7 @@ void checkReactions(const Simulation& simulation, const Simulation& reference, T
   TEST_COMPARE(norm(sum.moment), <=, 1e-10 * moment);
 }
 
-/// All ways of solving give one verified answer.
+/// All solution methods give one verified answer.
 void checkWays(const Stack& stack, Teuchos::FancyOStream& out, bool& success) {
   Simulation reference(blocks::world(), stack.scene({"Outer Solver/Type=Monolithic"}));
   reference.solve();
@@ -155,7 +155,7 @@ TEUCHOS_UNIT_TEST(Loads, OfTemperatureAndStrainAgreeWithTheReference) {
 }
 
 TEUCHOS_UNIT_TEST(Loads, OnElasticSupportsAgreeWithTheReference) {
-  // Nothing but springs holds the lower block, and the upper one leans against a spring.
+  // Only springs hold the lower block, and the upper one leans against a spring.
   Stack stack;
   stack.held.clear();
   stack.model.supports = {{{"lower_bottom"}, 3e5, 1e4}, {{"upper_left"}, 1e5, 0.0}};
@@ -224,7 +224,7 @@ std::string complaint(const Stack& stack) {
   return "";
 }
 
-TEUCHOS_UNIT_TEST(Loads, TellsWhichMotionAnElasticSupportLeavesFree) {
+TEUCHOS_UNIT_TEST(Loads, ReportsTheMotionThatAnElasticSupportLeavesFree) {
   Stack stack;
   stack.held = {Condition::displacement("lower_bottom", {0, 0})};
   stack.contacts.clear();

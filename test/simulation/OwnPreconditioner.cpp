@@ -1,4 +1,4 @@
-// A user's preconditioner may apply the operator: the solver records its own applications only.
+// A user's preconditioner may apply the operator: the solver records only its own applications.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <support/Blocks.hpp>
@@ -26,7 +26,7 @@ class NeumannSeries : public Preconditioner {
       if (const int row = space()->ownedRow(place); row >= 0 && diagonal(place, 0) > 0.0) inverse(row, 0) = 1.0 / diagonal(place, 0);
   }
   void doApply(const MultiVector& r, MultiVector& z) const override {
-    constexpr int kTerms = 2;  // even: it is positive definite whatever the largest eigenvalue
+    constexpr int kTerms = 2;  // even: positive definite for any largest eigenvalue
     MultiVector rest(r, Teuchos::Copy);
     localView(z) = localView(*inverse_).col(0).asDiagonal() * localView(r);
     for (int k = 0; k < kTerms; ++k) {
@@ -70,7 +70,7 @@ TEUCHOS_UNIT_TEST(OwnPreconditioner, MayApplyTheOperator) {
     const auto [energy, applications] = solved({});
     const auto [ownEnergy, ownApplications] = solved({"Preconditioner/Type=Neumann Series"});
     TEST_FLOATING_EQUALITY(ownEnergy, energy, 1e-8);
-    TEST_COMPARE(ownApplications, >, applications);  // it is another one, and a weaker
+    TEST_COMPARE(ownApplications, >, applications);  // it is different, and weaker
   }
 }
 

@@ -1,4 +1,4 @@
-// Load steps keep what does not depend on loads: subdomain factors and preconditioner are counted.
+// Load steps reuse what does not depend on loads: subdomain factors and preconditioner are counted.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>

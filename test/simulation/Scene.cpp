@@ -1,4 +1,4 @@
-// Scenes made in C++ against the same scenes in XML, and what is wrong with them.
+// Scenes made in C++ against the same scenes in XML, and their errors.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/base/Collective.hpp>
@@ -118,7 +118,7 @@ TEUCHOS_UNIT_TEST(Scene, MayHaveARigidObstacleAndNoOtherBody) {
   }
 }
 
-/// All that is wrong with a scene, from its making to its first stages.
+/// All errors of a scene, from its construction to its first stages.
 std::string complaint(const std::function<Scene()>& make) {
   try {
     Simulation simulation(blocks::world(), make());

@@ -1,4 +1,4 @@
-// Each wrong order of the stages of a simulation is an InternalError: none crashes, and none gives an answer.
+// Each wrong order of the stages of a simulation is an InternalError: none crashes, and none returns an answer.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
@@ -30,7 +30,7 @@ constexpr double kEnergy = 0.5 * 2e6 * 0.05 * 0.05 * 2.0;  // strain .05 in an a
 struct Named {
   const char* name;
   Function call;
-  std::set<int> allowed;  // numbers of stages done, with which it may be called
+  std::set<int> allowed;  // numbers of completed stages after which it may be called
 };
 
 const std::vector<Function> stages{[](Simulation& s) { s.read(); },    [](Simulation& s) { s.cut(); },
@@ -70,7 +70,7 @@ TEUCHOS_UNIT_TEST(Stages, AWrongOrderIsAnInternalErrorAndARightOneIsNot) {
       const bool allowed = function.allowed.count(done) > 0;
       if (thrown.empty() != allowed) out << function.name << "() after " << done << " stages: '" << thrown << "'\n";
       TEST_EQUALITY(thrown.empty(), allowed);
-      // After a refusal the right way goes on.
+      // After a refusal the right order continues.
       if (allowed || done == 6) continue;
       for (int stage = done; stage < 6; ++stage) stages[static_cast<std::size_t>(stage)](simulation);
       TEST_FLOATING_EQUALITY(simulation.solution().energy, kEnergy, 1e-9);
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(Stages, NamesTheStageThatIsMissing) {
   TEST_EQUALITY(said(stages[0]).find("read() after read(); expected order"), 0u);
 }
 
-// A verdict on nothing holds nothing.
+// A verdict without a solution does not hold.
 TEUCHOS_UNIT_TEST(Stages, AVerdictWithoutChecksDoesNotHold) {
   TEST_ASSERT(!Verification().holds());
   Simulation simulation(blocks::world(), blockOnBlock());
@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(Stages, SolveAgainAfterSolveIsTheSameSolution) {
   TEST_EQUALITY(&simulation.solve(), first);
 }
 
-// A stage that failed leaves nothing that a later one could use.
+// A failed stage leaves nothing that a later one could use.
 TEUCHOS_UNIT_TEST(Stages, NoneFollowsOneThatFailed) {
   Simulation simulation(blocks::world(), blockOnBlock({"Output/Probes/far/Type=Point", "Output/Probes/far/Place={9, 9}"}));
   TEST_THROW(simulation.solve(), InputError);

@@ -182,7 +182,7 @@ std::string verdictOfPull(double pull, const LawPtr& law, double weight = 1e4) {
   return verdict(scene);
 }
 
-TEUCHOS_UNIT_TEST(Solvability, FrictionHoldsUpToItsConeAndCohesionUpToWhatTheSolverFinds) {
+TEUCHOS_UNIT_TEST(Solvability, FrictionHoldsUpToItsConeAndCohesionUpToTheSolversLimit) {
   TEST_ASSERT(says(verdictOfPull(0.3, std::make_shared<Frictionless>()), "move to the right"));
   TEST_ASSERT(says(verdictOfPull(0.3, dry(0.0, 0.0)), "move to the right"));
   TEST_EQUALITY(verdictOfPull(0.3, dry(0.0, 0.31)), "");
@@ -197,7 +197,7 @@ TEUCHOS_UNIT_TEST(Solvability, FrictionHoldsUpToItsConeAndCohesionUpToWhatTheSol
   TEST_ASSERT(says(verdictOfPull(0.3, std::make_shared<NoSeparation>(), -1e4), "move to the right"));
 }
 
-TEUCHOS_UNIT_TEST(Solvability, FrictionInSpaceHoldsInEveryDirection) {
+TEUCHOS_UNIT_TEST(Solvability, FrictionIn3DHoldsInEveryDirection) {
   Box box;
   box.nx = box.ny = box.nz = 2;
   box.cell = Cell::Hexahedron8;

@@ -89,7 +89,7 @@ class Steps : public Monitor {
   int count = 0;
 };
 
-TEUCHOS_UNIT_TEST(ActiveSet, TellsApplicationsThatAreNoSteps) {
+TEUCHOS_UNIT_TEST(ActiveSet, ReportsApplicationsThatAreNoSteps) {
   for (const Scene& scene : {pressedBlocks(), crossingBlocks()}) {
     const OnInterface one(scene, world());
     OuterSettings settings;

@@ -109,11 +109,11 @@ void comparesAllLaws(int dimension, bool& success, Teuchos::FancyOStream& out, b
 }
 
 TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInThePlane) { comparesAllLaws(2, success, out); }
-TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInSpace) { comparesAllLaws(3, success, out); }
+TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceIn3D) { comparesAllLaws(3, success, out); }
 
 // Condensed Groups: Tresca's law directly, Coulomb's as a fixed point of it.
 TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInGroupsInThePlane) { comparesAllLaws(2, success, out, true); }
-TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInGroupsInSpace) { comparesAllLaws(3, success, out, true); }
+TEUCHOS_UNIT_TEST(FrictionMethods, AgreeWithTheReferenceInGroupsIn3D) { comparesAllLaws(3, success, out, true); }
 
 /// The upper block under a pressure and a traction along the contact instead of a held top: only friction holds it.
 Scene heldByFriction(int dimension, Sides sides, const LawOfSides& law, double along) {

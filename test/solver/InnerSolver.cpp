@@ -70,7 +70,7 @@ TEUCHOS_UNIT_TEST(InnerSolver, LosesNoIterationWhereItStops) {
   TEST_COMPARE(std::sqrt(dot(*sum, *sum)), <, 1e-12 * size);
 }
 
-TEUCHOS_UNIT_TEST(InnerSolver, ShowsTheCriterionWhatItAddsItself) {
+TEUCHOS_UNIT_TEST(InnerSolver, ShowsTheCriterionItsIncrement) {
   Problem p;
   const MultiVectorPtr whole = p.one.problem.space()->vector(), first = p.one.problem.space()->vector(),
                        part = p.one.problem.space()->vector();

@@ -31,7 +31,7 @@ CoarseAnswer linearAnswer(const Blocks& coarse) {
   return answer;
 }
 
-/// Two blocks of other cells than pressedBlocks(), whose nodes do not match those of it.
+/// Two blocks of other cells than in pressedBlocks(), with non-matching nodes.
 Scene quadrilaterals() {
   std::vector<Box> all = twoBoxes(9, 5, 3, 1);
   for (Box& box : all) box.cell = Cell::Quadrilateral4;
@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsOfEachBodyExactly) {
 }
 
 /// Between 3D meshes of other cells; points just outside, too.
-TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsInSpaceExactly) {
+TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsIn3DExactly) {
   const auto field = [](const Point& p) { return Point{1 + p[0] - 2 * p[1] + p[2], 0.5 * p[0] + p[2], p[1] - 3 * p[2]}; };
   const auto fine = solids::distributed(solids::fromBoxes({solids::cube(Cell::Hexahedron20, 4, 2)}, 1.0, 0.3));
   std::vector<Point> points;

@@ -68,7 +68,7 @@ struct TangentProblem {
   Monitor silent;
 };
 
-TEUCHOS_UNIT_TEST(NonsymmetricSolver, FindsTheSolutionAndTellsItsResidual) {
+TEUCHOS_UNIT_TEST(NonsymmetricSolver, FindsTheSolutionAndReportsItsResidual) {
   for (const int dimension : {2, 3})
     for (const Sides sides : {Sides::Matching, Sides::Mortar}) {
       const TangentProblem p(rubbedBlocks(dimension, sides, scenes::dry(0.1, 0.6)), 0.6);
@@ -128,7 +128,7 @@ TEUCHOS_UNIT_TEST(NonsymmetricSolver, OfNothingIsNothing) {
   TEST_EQUALITY(solveNonsymmetric(p.linear.matrix, p.made, *p.linear.load, *x, 1e-2, 200.0 * norm, 100).pcg, 0);
 }
 
-TEUCHOS_UNIT_TEST(NonsymmetricSolver, StandsJumpsOfStiffness) {
+TEUCHOS_UNIT_TEST(NonsymmetricSolver, ToleratesJumpsOfStiffness) {
   for (const double jump : {1e-8, 1e8})
     for (const double unit : {1.0, 1e12}) {
       Scene scene = rubbedBlocks(2, Sides::Matching, scenes::dry(0.1, 0.4), 4);

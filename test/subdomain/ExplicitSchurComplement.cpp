@@ -44,7 +44,7 @@ TEUCHOS_UNIT_TEST(ExplicitSchurComplement, EqualsTheImplicitOne) {
   }
 }
 
-TEUCHOS_UNIT_TEST(ExplicitSchurComplement, VanishesOnRigidMotionsToRounding) {
+TEUCHOS_UNIT_TEST(ExplicitSchurComplement, VanishesOnRigidMotionsToRoundOff) {
   const Scene scene = loaded(2e11);
   const Blocks all(scene, alone());
   int floating = 0;

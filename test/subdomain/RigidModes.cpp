@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(RigidModes, SpanTranslationsAndTheRotation) {
   TEST_COMPARE(singular(2), >, 0.2 * singular(0));
 }
 
-TEUCHOS_UNIT_TEST(RigidModes, OfBodiesOfRevolutionAreTheTranslationAlongTheAxis) {
+TEUCHOS_UNIT_TEST(RigidModes, OfAxisymmetricBodiesAreTheTranslationAlongTheAxis) {
   Mesh mesh = boxes({Box()});
   const Matrix plane = rigidModes(mesh);
   makeAxisymmetric(mesh);
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(RigidModes, OfBodiesOfRevolutionAreTheTranslationAlongTheAxis)
   TEST_EQUALITY((sectionModes(mesh) - plane).norm(), 0.0);  // the motions used by coarse spaces
 }
 
-TEUCHOS_UNIT_TEST(RigidModes, NullSpaceIsWhatTheRowsLeaveFree) {
+TEUCHOS_UNIT_TEST(RigidModes, NullSpaceIsTheSpaceThatTheRowsLeaveFree) {
   TEST_EQUALITY((nullSpace(Matrix(0, 3)) - Matrix::Identity(3, 3)).norm(), 0.0);
   Matrix rows(5, 3);  // matrix of rank two, its last rows round-off
   rows << 1, 2, 3, 2, 4, 6, 0, 1, -1, 1, 3, 2, 1e-14, 0, 0;

@@ -15,7 +15,8 @@
 #include <map>
 #include <memory>
 
-/// Distributed subdomains of small generated scenes, and the same scenes whole and dense: what tests from `subdomain` to `precond` share.
+/// Distributed subdomains of small generated scenes, and the same scenes whole and dense: shared by the tests from `subdomain` to
+/// `precond`.
 namespace suture::blocks {
 
 using namespace dense;
@@ -31,14 +32,14 @@ LocalSolverMaker localSolver(const std::string& name = "CHOLMOD");
 /// A strategy with its defaults.
 std::unique_ptr<SchurComplement> schurComplement(const std::string& name);
 
-/// The named blocks of a scene's boxes (Box::blocksX, blocksY) as subdomains, assembled and spread over a communicator.
+/// The named blocks of a scene's boxes (Box::blocksX, blocksY) as subdomains, assembled and distributed over a communicator.
 struct Blocks {
   ElasticModel model;
   Partition partition;
   std::vector<SubdomainMesh> meshes;
   std::vector<std::unique_ptr<Subdomain>> subdomains;
 
-  /// \param youngOf          Young modulus of each subdomain, in place of the body's: a body of several materials
+  /// \param youngOf          Young modulus of each subdomain, instead of the body's: a body of several materials
   /// \param keepGroupsWhole  false: for Contact On The Interface
   Blocks(const Scene& scene, const CommPtr& comm, const std::vector<double>& youngOf = {}, bool keepGroupsWhole = true);
   /// \param subdomains  by METIS; as many as bodies: each body whole
@@ -49,7 +50,7 @@ struct Blocks {
   void build(const Scene& scene, const CommPtr& comm, const Parameters& cut, const std::vector<double>& youngOf, bool keepGroupsWhole);
 };
 
-/// All of a scene as one dense system in the free unknowns, ascending by global number.
+/// A whole scene as one dense system in the free unknowns, ascending by global number.
 struct Dense {
   std::map<GlobalId, int> place;
   Matrix stiffness;
@@ -64,7 +65,7 @@ struct Dense {
 Scene square(int blocks, int cells, double young = 1.0, double poisson = 0.3);
 Scene clampedSquare(int blocks, int cells, double young = 1.0, double poisson = 0.3);
 
-/// Boxes "lower" and "upper" on each other, [-1, 1] x [-1, 0] and [-1, 1] x [0, 1], each of so many cells and blocks.
+/// Boxes "lower" and "upper" on each other, [-1, 1] x [-1, 0] and [-1, 1] x [0, 1], each with the given number of cells and blocks.
 std::vector<Box> twoBoxes(int nx, int ny, int blocksX, int blocksY);
 
 /// Two blocks in contact along y = 0 under their weight. The gap is a wave: some pairs interfere, some are open. Nothing is held. With 2 x
@@ -72,7 +73,7 @@ std::vector<Box> twoBoxes(int nx, int ny, int blocksX, int blocksY);
 Scene wavyBlocks(const std::vector<Box>& boxes, double youngLower = 100.0, double youngUpper = 40.0);
 Scene wavyBlocks(double youngLower = 100.0, double youngUpper = 40.0, int refinement = 1);
 
-/// Positions of a subdomain's free unknowns at nodes that other subdomains hold, too.
+/// Positions of a subdomain's free unknowns at nodes shared with other subdomains.
 std::vector<int> sharedDofs(const Subdomain& subdomain);
 
 }  // namespace suture::blocks

@@ -10,7 +10,8 @@
 namespace suture::blocks {
 
 /// Cases of a test, the hardest first: all of them on one rank and with SUTURE_ALL_CASES in the environment, as <package>.<Class>.all.np4
-/// with the label long has it; `onSeveral` of them else. Two ranks take both cores as long as one takes one, four ten times as long.
+/// with the label long has it; otherwise `onSeveral` of them. Two ranks occupy both cores as long as one rank occupies one, four ten times
+/// as long.
 template <typename Case>
 std::vector<Case> casesOf(std::initializer_list<Case> all, std::size_t onSeveral = 1) {
   const bool whole = Teuchos::DefaultComm<int>::getComm()->getSize() == 1 || std::getenv("SUTURE_ALL_CASES");

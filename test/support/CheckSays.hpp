@@ -1,7 +1,7 @@
 #pragma once
 #include <support/Texts.hpp>
 
-/// Asserts that the text `problems` holds `part`, and shows the whole if it does not.
+/// Asserts that the text `problems` contains `part`, and prints the whole text if it does not.
 #define SUTURE_CHECK_SAYS(problems, part)                                                    \
   do {                                                                                       \
     const std::string suture_whole = problems, suture_part = part;                           \

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-/// Dense linear algebra that tests compare with, compiled once: Eigen's decompositions take seconds in every source that names them.
+/// Dense linear algebra that tests compare with, compiled once: Eigen's decompositions cost seconds of compile time in every source that
+/// uses them.
 namespace suture::dense {
 
 /// Eigenvalues of the symmetric part, ascending.
@@ -23,7 +24,7 @@ Matrix solveSymmetric(const Matrix& a, const Matrix& b);
 /// Any regular A, by elimination with full pivoting.
 Matrix solve(const Matrix& a, const Matrix& b);
 Matrix inverse(const Matrix& a);
-/// The least x among those that make |A x - b| least.
+/// The x of least norm among those that minimise |A x - b|.
 Matrix leastSquares(const Matrix& a, const Matrix& b);
 /// b without its part in the span of the columns of A.
 Matrix withoutSpan(const Matrix& a, const Matrix& b);
@@ -35,7 +36,7 @@ Matrix random(int rows, int columns, unsigned seed = 1);
 /// |a - b| / |b|.
 double difference(const Matrix& a, const Matrix& b);
 std::vector<int> range(int count, int first = 0);
-/// K_BB - K_BI K_II^-1 K_IB, and optionally the load that goes with it.
+/// K_BB - K_BI K_II^-1 K_IB, and optionally the condensed load.
 Matrix denseSchur(const Matrix& k, const std::vector<int>& boundary, const Vector& load = {}, Vector* condensed = nullptr);
 
 }  // namespace suture::dense

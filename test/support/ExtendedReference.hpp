@@ -14,8 +14,8 @@
 namespace suture::scenes {
 
 /// A small scene solved in extended precision, and certified: all equations as one saddle problem with a set of closed pairs, which is
-/// flipped until no closed pair pulls and no open one penetrates. Data (element stiffnesses, loads, gaps) are those of the program.
-/// Rank 0 has it, the others have nothing.
+/// changed until no closed pair pulls and no open one penetrates. Data (element stiffnesses, loads, gaps) are those of the program. Only
+/// rank 0 has it.
 struct ExtendedReference {
   using Real = long double;
   using Entry = Eigen::Triplet<Real>;

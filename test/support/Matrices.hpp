@@ -16,10 +16,10 @@ using Sparse = Eigen::SparseMatrix<double>;
 // kernel is the three rigid modes. Scaled by 24 all entries are whole numbers, so that translations are in the kernel without round-off.
 Sparse floatingBody(int nx, int ny);
 
-// Place of the node of each unknown.
+// Coordinates of the node of each unknown.
 std::vector<Point> placesOfBody(int nx, int ny);
 
-// Random places, for unknowns that are nowhere in particular.
+// Random coordinates, for unknowns without a position.
 std::vector<Point> randomPlaces(int n, unsigned seed);
 
 Sparse randomDefinite(int n, unsigned seed);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Small scenes put together by hand, so that tests of the solvers depend on no reader and no search for pairs.
+/// Small scenes made by hand, so that tests of the solvers depend on no reader and no search for pairs.
 namespace suture::scenes {
 
 struct Scene {
@@ -29,10 +29,10 @@ struct Scene {
   void pressure(const std::string& group, double value) { model.loads.push_back(Load::pressure(group, value)); }
   void traction(const std::string& group, Point value) { model.loads.push_back(Load::traction(group, value)); }
 
-  /// Another Young modulus, and the body's Poisson ratio, in an element group.
+  /// Sets another Young modulus, with the body's Poisson ratio, in an element group.
   void region(const std::string& group, double young);
 
-  /// Pairs the nodes of the two sides by their place along the line, normal from A to B; sorted along the line.
+  /// Pairs the nodes of the two sides by their position along the line, normal from A to B; sorted along the line.
   void pairUp(Point normal = {0, 1, 0});
 };
 
@@ -41,7 +41,7 @@ Scene fromBoxes(const std::vector<Box>& all, double young = 2e6, double poisson 
 /// [-1,1] x [-1,0] below [-1,1] x [0,1], in contact along y = 0: nx cells along it.
 Scene twoBlocks(int nx, int nyLower, int nyUpper, double young = 2e6, double poisson = 0.0);
 
-/// As twoBlocks, but the lower block ends at x = 0: half of the upper one hangs over. The lower one is fixed.
+/// As twoBlocks, but the lower block ends at x = 0: half of the upper one overhangs. The lower one is fixed.
 Scene overhang();
 
 }  // namespace suture::scenes

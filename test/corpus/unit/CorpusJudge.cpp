@@ -1,4 +1,4 @@
-// The judge of the corpus: passes solutions of the reference and sees what is planted in them.
+// The judge of the corpus accepts solutions of the reference and detects planted errors.
 #include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <corpus/CorpusJudge.hpp>
@@ -24,7 +24,7 @@ struct Solved {
   }
 };
 
-/// Scenes that double precision holds to the bound, of several families.
+/// Scenes that double precision solves within the bound, of several families.
 std::vector<std::uint64_t> solvedSeeds() {
   std::vector<std::uint64_t> seeds;
   std::map<std::string, int> ofFamily;

@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(CorpusScene, HasSoundMeshes) {
   }
 }
 
-TEUCHOS_UNIT_TEST(CorpusScene, CoversWhatItPromises) {
+TEUCHOS_UNIT_TEST(CorpusScene, CoversTheDocumentedVariety) {
   std::set<std::string> families, obstacles;
   std::set<Cell> cells;
   std::set<std::size_t> bodies, contacts;
