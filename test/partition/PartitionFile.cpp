@@ -129,7 +129,7 @@ TEUCHOS_UNIT_TEST(PartitionFile, RefusesDamagedTruncatedAndForeignFiles) {
   {
     Written scene;
     writeHdf5Mesh(*comm(), scene.whole, scene.path);
-    TEST_INEQUALITY(scene.error().find("not cut"), std::string::npos);
+    TEST_INEQUALITY(scene.error().find("not partitioned"), std::string::npos);
   }
   {
     Written scene;
@@ -137,6 +137,6 @@ TEUCHOS_UNIT_TEST(PartitionFile, RefusesDamagedTruncatedAndForeignFiles) {
       file.group("/Partition");
       file.attribute("/Partition", "Version", std::string("0.1"));
     });
-    TEST_INEQUALITY(scene.error().find("in the form 0.1"), std::string::npos);
+    TEST_INEQUALITY(scene.error().find("format version 0.1"), std::string::npos);
   }
 }
