@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <support/Blocks.hpp>
+#include <support/DryLaw.hpp>
 
 namespace suture {
 namespace {
@@ -120,6 +121,26 @@ TEUCHOS_UNIT_TEST(RigidMotionLifting, GapsChangeByTheMotionOfBothSides) {
     for (const ContactRow& row : mesh.contactRows) {
       TEST_COMPARE(std::abs(row.normal().gap - gaps[row.pair.id]), <, 4e-13);
       TEST_EQUALITY(mesh.lift.gaps.at(row.pair.id), scene.constraints.pairs[row.pair.id].gap);
+    }
+}
+
+/// With friction the slip from which pairs slide changes, too: by 1.25 along the sides.
+TEUCHOS_UNIT_TEST(RigidMotionLifting, SlipsChangeByTheMotionOfBothSides) {
+  Scene scene = carried([](const Point&) { return Point{0.25, 0.5, 0}; }, [](const Point&) { return Point{-1.0, 0.5, 0}; });
+  scene.constraints.laws = ContactLaws({scenes::dry(0.0, 0.3)});
+  scene.holdNode(scene.constraints.pairs[3].ends[0].node, 0, 0.25);  // on the line: in the row's slip
+  const Taken taken(scene);
+  TEST_ASSERT(taken.any);
+  if (world()->getRank() == 0)
+    for (const ContactPair& pair : taken.left.pairs) TEST_COMPARE(std::abs(std::abs(pair.past.slip[0]) - 1.25), <, 1e-15);
+  const std::vector<ContactRow> rows = world()->getRank() == 0 ? contactRows(scene.mesh, taken.left) : std::vector<ContactRow>();
+  std::vector<double> slips(scene.constraints.pairs.size());
+  for (const ContactRow& row : rows) slips[row.pair.id] = row.equations.at(1).gap;
+  broadcastBytes(*world(), slips.data(), slips.size() * sizeof(double));
+  for (const SubdomainMesh& mesh : taken.all.meshes)
+    for (const ContactRow& row : mesh.contactRows) {
+      TEST_COMPARE(std::abs(row.equations.at(1).gap - slips[row.pair.id]), <, 1e-15);
+      TEST_EQUALITY(norm(mesh.pastSlip(row.pair)), 0.0);
     }
 }
 
