@@ -25,7 +25,7 @@ ADVANCED = ("Exact Solution", "Partition", "Condensed Groups", "Contact On The I
 def section(program, title, *options):
     text = subprocess.run([program, *options, "--format", "markdown"], capture_output=True, text=True, check=True).stdout
     text = re.sub(r"(?<!\.)\.\.(?!\.)", ".", text)
-    text = re.sub(r"(?<=[^.|:;]) (?=\*[A-Z][^*|]*\*: )", ". ", text)  # the list of choices is a sentence of its own
+    text = re.sub(r"(?<=[^.|:;]) (?=\*[A-Z][^*|]*\*: )", ". ", text)  # the list of choices is a separate sentence
     text = text.replace("&lt;&lt;", "&lt;").replace(">>", ">")
     text = re.sub(r"^## \(top\)\n+", "", text, flags=re.M)
     return f"## {title}\n\n" + re.sub(r"^## ", "### ", text, flags=re.M).strip() + "\n"

@@ -11,9 +11,9 @@ class ExampleUnits {
   explicit ExampleUnits(const std::string& names);
 
   const std::string& names() const { return names_; }
-  double youngModulus() const { return 2.1e11 / stress_; }                        ///< of steel [stress]
+  double youngModulus() const { return 2.1e11 / stress_; }                        ///< stiffness of steel [stress]
   double pressure() const { return 1e6 / stress_; }                               ///< [stress]
-  double weight() const { return 7.7e4 * length_ * length_ * length_ / force_; }  ///< of steel [force / length^3]
+  double weight() const { return 7.7e4 * length_ * length_ * length_ / force_; }  ///< weight of steel [force / length^3]
 
  private:
   std::string names_;

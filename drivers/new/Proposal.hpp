@@ -63,7 +63,7 @@ struct Supports {
   bool byForce = false;                       ///< a force instead of a displacement
   Point push{0, 0, 0};                        ///< displacement [length] or total force
   std::vector<std::string> soft, softBodies;  ///< side groups with elastic supports, and their bodies
-  double stiffness = 0.0;                     ///< of the elastic supports, normal and tangential [stress / length]
+  double stiffness = 0.0;                     ///< stiffness of the elastic supports, normal and tangential [stress / length]
   std::vector<std::string> loose;             ///< bodies without any side group, which cannot be held
 };
 /// `groups`, `contacts` as proposed. Local. \param youngModulus  of the example material [stress]

@@ -8,8 +8,8 @@ namespace suture::study {
 /// A cell of a study's table: a number, a text, or empty (the run ended before it had the figure).
 struct TableCell {
   enum class Kind { Empty, Integer, Real, Text } kind = Kind::Empty;
-  double number = 0.0;  ///< of Integer and Real
-  std::string text;     ///< of Text
+  double number = 0.0;  ///< value of Integer and Real
+  std::string text;     ///< value of Text
   bool isNumber() const { return kind == Kind::Integer || kind == Kind::Real; }
 };
 

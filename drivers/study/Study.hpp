@@ -14,7 +14,7 @@ inline constexpr const char* kUnchanged = "-";
 
 /// A parameter of the scene (or "Scene", the scene file itself) and its values, which vary together with others of its sweep.
 struct Parameter {
-  std::string name;  ///< of its list in the study
+  std::string name;  ///< name of its list in the study
   std::string path;  ///< in the scene: "Mesh/Constants/scale"
   std::vector<std::string> values;
 };
@@ -57,7 +57,7 @@ struct Plot {
 /// A study file, read and checked without its scenes.
 struct Study {
   SceneFile file;
-  std::string name;  ///< of the file, without extension
+  std::string name;  ///< name of the file without extension
   std::string title, scene;
   std::vector<std::string> set;  ///< "Path=value" in every run
   std::vector<Sweep> sweeps;

@@ -33,7 +33,7 @@ class StoppableOutput : public std::streambuf {
   std::mutex mutex_;
   std::string text_;      // written, but not sent yet
   bool endsLine_ = true;  // the text sent last ended a line
-  int failure_ = 0;       // of the first failed write
+  int failure_ = 0;       // error number of the first failed write
   bool isWiped_ = true;   // the terminal shows no line of between()
 };
 

@@ -25,7 +25,7 @@ class RigidContact {
     Matrix rows;            ///< pairs x motions, of order one: motions are scaled by their largest displacement
     Vector work;            ///< e: work of the loads in each motion [force]
     Vector penetration;     ///< t at zero motions: minus the initial gap, plus the part closed by prescribed displacements [length]
-    Vector stiffness;       ///< of both sides in series at each pair, along its normal: 1 / k = sum n^2 / K_nn [force / length]
+    Vector stiffness;       ///< stiffness of both sides in series at each pair, along its normal: 1 / k = sum n^2 / K_nn [force / length]
     std::vector<int> line;  ///< contact line of each pair; consecutive pairs of one line are neighbours
     std::vector<std::vector<int>> bodies;  ///< bodies of each pair; empty: all pairs belong together
     std::vector<char> able;                ///< pairs that can change; the others have no free unknowns and zero rows

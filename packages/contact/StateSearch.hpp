@@ -28,7 +28,7 @@ class StateSearch {
     Vector slides;  ///< rigid motion (RigidContact) of the driven bodies if there is no equilibrium; else empty
     PairStates states;
     int solves = 0;
-    double contraction = -1.0;     ///< of the fixed point of Tresca problems, estimated; negative: unknown
+    double contraction = -1.0;     ///< estimated contraction of the fixed point of Tresca problems; negative: unknown
     std::vector<int> alternating;  ///< pairs whose states did not settle
   };
 

@@ -233,7 +233,7 @@ const ReferenceElement& referenceElement(Cell cell, Rule rule) {
 }
 
 bool isCurvedTetrahedron(const CellBlock& block, int element) {
-  constexpr double kRounding = 1e-10;  // of an edge's length
+  constexpr double kRounding = 1e-10;  // relative to an edge's length
   const Span<const int> nodes = block.nodesOf(element);
   const CellInfo& cell = cellInfo(Cell::Tetrahedron10);
   const double* x = block.coordinates.data();

@@ -79,7 +79,7 @@ class CondensedProblem : public InterfaceProblem {
   bool allSeparate_ = true;  // no law keeps its pairs closed; the same on all ranks
   std::unique_ptr<CondensedSets> sets_;
   std::unique_ptr<CondensedFriction> friction_;                             // null where no law restricts sliding
-  mutable std::vector<std::shared_ptr<const LinearisedGroup>> linearised_;  // of each group
+  mutable std::vector<std::shared_ptr<const LinearisedGroup>> linearised_;  // one per group
 };
 
 }  // namespace suture

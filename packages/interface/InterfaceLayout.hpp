@@ -26,7 +26,7 @@ struct InterfaceLayout {
     std::vector<GlobalId> ends;      ///< an edge's unknowns at ends without a vertex
   };
 
-  int dimension = 0;        ///< of the scene: 2 or 3; 0 on a rank without local problems (the space gets it from other ranks)
+  int dimension = 0;        ///< dimension of the scene, 2 or 3; 0 on a rank without local problems (the space gets it from other ranks)
   std::vector<int> locals;  ///< ids of this rank's local problems, numbered over the whole scene
   std::vector<std::vector<GlobalId>> boundaries;  ///< unknowns of each local problem
   std::vector<Unknown> unknowns;                  ///< unknowns of `boundaries`; over all ranks each at least once, in any order

@@ -85,7 +85,7 @@ class InterfaceOperator : public Operator {
   LocalProblems locals_;
   std::shared_ptr<const FrictionTangent> friction_;
   mutable long long applications_ = 0;
-  int mostRows_ = 0;  // of any coupling
+  int mostRows_ = 0;  // largest number of rows of a coupling
   mutable bool recording_ = false;
   mutable std::vector<Vector> recorded_;
   mutable Matrix overlap_, sum_, trace_, flux_;  // work space, so that an application allocates nothing

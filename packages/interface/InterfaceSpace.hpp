@@ -54,7 +54,7 @@ class InterfaceSpace {
   const MapPtr& map() const { return map_; }          ///< owned, one to one
   const MapPtr& overlap() const { return overlap_; }  ///< all unknowns of this rank's local problems, and their partners in relations
   const CommPtr& comm() const { return comm_; }
-  int dimension() const { return dimension_; }  ///< of the scene, also on a rank without local problems
+  int dimension() const { return dimension_; }  ///< dimension of the scene, also on a rank without local problems
   GlobalId size() const;                        ///< over all ranks, including unused unknowns
   int overlapSize() const { return static_cast<int>(ownedRows_->size()); }
   int locals() const { return static_cast<int>(couplings_->size()); }
@@ -67,7 +67,9 @@ class InterfaceSpace {
   GlobalId id(int place) const { return unknown(place).id; }
   int ownedRow(int place) const { return (*ownedRows_)[place]; }  ///< in map(); -1: another rank owns the unknown
   const Point& point(int place) const { return unknown(place).point; }
-  const Point& direction(int place) const { return unknown(place).direction; }  ///< of its displacement; see InterfaceLayout::Unknown
+  const Point& direction(int place) const {
+    return unknown(place).direction;
+  }                                                                       ///< direction of its displacement; see InterfaceLayout::Unknown
   const Point& moment(int place) const { return unknown(place).moment; }  ///< values under unit rotations about point(); zero for a point
   double flux(int place) const { return unknown(place).flux; }            ///< see InterfaceLayout::Unknown
   /// The relation that expresses the unknown, or null.

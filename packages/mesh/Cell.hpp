@@ -29,7 +29,7 @@ constexpr int kMostSideVertices = 4;
 struct CellInfo {
   std::string name;
   int dimension;
-  int order;  ///< of the polynomials on its edges
+  int order;  ///< order of the polynomials on its edges
   int nodes;
   int vertices;  ///< the first nodes
   std::vector<std::array<int, 2>>

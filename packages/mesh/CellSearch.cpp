@@ -131,7 +131,7 @@ CellSearch::Nearest CellSearch::footOn(int element, const Point& place) const {
   best.element = element;
   for (const std::vector<int>& side : info.sideNodes) {
     const int vertices = static_cast<int>(std::count_if(side.begin(), side.end(), [&](int local) { return local < info.vertices; }));
-    const int corners = block_.dimension;  // of a facet: a segment, or one of the triangles into which the side is split
+    const int corners = block_.dimension;  // vertices of a facet: a segment, or one of the triangles into which the side is split
     for (int k = 1; k + corners - 2 < vertices; ++k) {
       const int locals[3] = {side[0], side[k], corners == 3 ? side[k + 1] : 0};
       Point facet[3];

@@ -28,7 +28,7 @@ class CellSearch {
   /// The element nearest to a point outside all elements.
   struct Nearest : Place {      // `at`: extrapolated, or that of `foot` where the element's map cannot be inverted
     Point foot{0, 0, 0};        ///< nearest point on the surface of the element's vertices
-    double distance = outside;  ///< of the point from `foot` [length]
+    double distance = outside;  ///< distance of the point from `foot` [length]
   };
   Nearest nearest(const Point& point) const;
 

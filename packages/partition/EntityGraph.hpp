@@ -51,7 +51,7 @@ class EntityGraph {
   struct Face {
     EntityKind kind;
     bool ordered;                 // neighbours in `nodes` are neighbours on the edge
-    std::vector<GlobalId> nodes;  // of an edge: in order
+    std::vector<GlobalId> nodes;  // nodes of an edge in order
     std::vector<int> sharers;
   };
   class Finder;

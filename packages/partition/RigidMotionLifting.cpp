@@ -86,7 +86,7 @@ class Lifting {
   const CarriedMotions& carry_;
   int dimension_ = 2;
   std::unique_ptr<BodyParts> parts_;
-  std::vector<Amplitudes> amplitudes_;  // of each part
+  std::vector<Amplitudes> amplitudes_;  // by part
 };
 
 /// Sets translations that belong to one prescribed value to this value, to the last bit: its remainder is zero.

@@ -23,7 +23,7 @@ struct SubdomainMesh : CellBlock {
   SideGroups sideGroups;                          ///< the mesh's side groups, restricted to this subdomain
   std::vector<NodeRule> rules;                    ///< node: local
   std::vector<Support> supports;                  ///< likewise
-  std::vector<SpringDirection> springs;           ///< of this subdomain's sides; element and node: local
+  std::vector<SpringDirection> springs;           ///< springs on sides of this subdomain; element and node: local
   std::vector<int> sharedOffsets{0}, sharedWith;  ///< nodes + 1; for each local node the other subdomains of its body that hold it
 
   /// An end of a contact pair whose node is in this subdomain.

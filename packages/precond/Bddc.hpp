@@ -66,7 +66,7 @@ class Bddc : public Preconditioner {
   // A_i of all local problems, entry by entry; the entries of local problem i begin at valuesFrom_[i].
   struct Value {
     int row;    // constraint of the local problem
-    int place;  // of the primal unknown in names_
+    int place;  // position of the primal unknown in names_
     double coefficient;
   };
   std::vector<Value> values_;

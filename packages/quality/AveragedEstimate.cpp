@@ -172,7 +172,7 @@ class SampledStresses {
   const SubdomainMesh& mesh_;
   const ElasticModel& model_;
   const VertexPatches& patches_;
-  std::vector<double> samples_;  // of each element's points: stress and measure
+  std::vector<double> samples_;  // stress and measure at each point of the elements
   const Material* last_ = nullptr;
   HookesLaw<D> law_;
 };

@@ -296,7 +296,7 @@ class OverlapSearch::Search {
   std::vector<std::vector<Facet>> facets_;               // by mesh
   std::vector<std::vector<int>> sideOfFacet_;            // by mesh
   std::vector<std::vector<std::vector<int>>> facetsAt_;  // by mesh and node
-  std::vector<BoundingBox> boxes_;                       // of the bodies
+  std::vector<BoundingBox> boxes_;                       // one per body
   std::vector<std::vector<int>> neighbours_;             // bodies whose boxes overlap, by body
   std::vector<Facet> everywhere_;                        // gathered facets
   std::vector<std::string> names_;                       // their groups

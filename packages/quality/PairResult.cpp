@@ -13,7 +13,7 @@ namespace {
 struct EndShare {
   int pair, end, body;
   Point displacement;  // without the lift
-  Point motion;        // of the lift
+  Point motion;        // motion of the lift
 };
 
 /// A pair with its past slip and its gap as in the scene, without lift, and the properties of its law.

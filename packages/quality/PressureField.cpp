@@ -96,7 +96,7 @@ class SurfaceFit {
   }
 
  private:
-  static constexpr int kRings = 3;             // of sides around the node
+  static constexpr int kRings = 3;             // rings of sides around the node
   static constexpr double kDetermined = 1e-3;  // ratio of the extents of the nodes from which a slope is determined
 
   std::set<GlobalId> grown(const std::set<GlobalId>& nodes) const {

@@ -64,7 +64,7 @@ class Verifier {
   bool axisymmetric_ = false;
   NodalRows rows_;
   std::vector<Matrix> nodes_;                        // by mesh: NodalRows x nodes, summed over subdomains
-  std::vector<std::vector<const NodeRule*>> rules_;  // of each mesh's nodes; null: free
+  std::vector<std::vector<const NodeRule*>> rules_;  // by mesh and node; null: free
   std::vector<PairEndShare> ends_;                   // on rank 0: of all ranks
   std::vector<Deformation> deformation_;
   std::vector<BodySums> sums_;

@@ -27,7 +27,7 @@ struct PlacedPair {
   Finding where;
   Point normal{0, 0, 0}, jump{0, 0, 0}, arm{0, 0, 0};
   double gap = 0.0;                       // current gap [length]
-  double cell = 0.0;                      // of the finer side [length]
+  double cell = 0.0;                      // cell size of the finer side [length]
   double weights = 0.0, magnitude = 0.0;  // sums over the ends
   double curvature = 0.0;                 // [1 / length]
   bool restricted = false;

@@ -17,7 +17,7 @@ std::vector<Deformation> wholeMotions(const Comm& comm, const Answer& answer, co
 
 /// Input for the check that contact forces act at the deformed positions of the bodies.
 struct ContactPlaces {
-  std::vector<PairEndShare> ends;  ///< of all ranks
+  std::vector<PairEndShare> ends;  ///< ends of all ranks
   const std::vector<PairResult>& pairs;
   const std::vector<ContactPiece>& pieces;
   const std::vector<BodyScale>& bodies;

@@ -10,10 +10,10 @@ namespace suture {
 namespace {
 
 constexpr double ofStiffness = 0.1;        // c relative to the local stiffness
-constexpr double accuracy = 1e-11;         // of forces, relative to the largest
+constexpr double accuracy = 1e-11;         // accuracy of forces, relative to the largest
 constexpr double singular = 1e12;          // condition number of the scaled equations above which a step is rejected
 constexpr double givesWay = 1e-10;         // compliance of a tangential row without free nodes, relative to the largest
-constexpr double roundoff = 1e-15;         // of a jump, relative to the sizes of its terms
+constexpr double roundoff = 1e-15;         // round-off of a jump, relative to the sizes of its terms
 constexpr double beyondItsElements = 2.0;  // ratio of a row's compliance to that of its elements (as in ContactCompliance)
 constexpr double infinite = std::numeric_limits<double>::infinity();
 

@@ -7,7 +7,7 @@ namespace suture {
 /// A file used by a run in addition to its scene.
 struct UsedFile {
   std::string path;  ///< absolute; empty: none
-  std::string hash;  ///< of its bytes, hexadecimal
+  std::string hash;  ///< hash of its bytes, hexadecimal
 };
 
 /// How a run was started, in addition to its scene file and overrides.

@@ -166,7 +166,7 @@ class Simulation {
   std::unique_ptr<WorkMeter> meter_;  // on a path
   std::unique_ptr<const OverlapSearch> overlapSearch_;
   std::vector<Overlap> drawnOverlaps_;
-  Doubts doubts_;           // of the load steps
+  Doubts doubts_;           // doubts about the load steps
   std::string unfinished_;  // why the path ended early; empty: it did not
   bool brokeDown_ = false;  // the last trial of a step left no solution
   PathState restart_;       // path of a checkpoint, until it is continued

@@ -121,7 +121,6 @@ class ClosedPairs {
       if (!state.closed()) continue;
       states_[pair.id] = state;
       frames_[pair.id] = frame;
-      slipped_[pair.id] = row.pair.past.slipped;
       const double unit = pair.length > 0.0 ? std::sqrt(pair.length) : 1.0;
       for (std::size_t k = 0; k < row.equations.size(); ++k) {
         if (!state.holds(static_cast<int>(k))) continue;
@@ -176,7 +175,7 @@ class ClosedPairs {
   struct Place {
     int pair, component;
     double unit;      // scale of the amplitude [root of length or area]
-    Point direction;  // of the force on side B
+    Point direction;  // direction of the force on side B
   };
 
   /// State of the pair by its displacements: open only with a gap, slipping only if it slides.
@@ -195,13 +194,20 @@ class ClosedPairs {
       }
       return state;
     }
+    Point along{0, 0, 0};
+    for (std::size_t t = 1; slides && t < frame.size(); ++t) along[t] = dot(slip, frame[t]) / size;
+    return laws_.of(pair.line).project(pushed(pair, 1.0, along), slides ? PairStatus::Slip : PairStatus::Stick);
+  }
+
+  /// A trial that slides beyond any bound along a unit vector of the pair's frame; zero: it does not slide.
+  static ContactTrial pushed(const PairResult& pair, double normal, const Point& along) {
     ContactTrial trial;
     trial.place = pair.position;
     trial.size = pair.length;
     trial.slipped = pair.past.slipped;
-    trial.force[0] = 1.0;
-    for (std::size_t t = 1; slides && t < frame.size(); ++t) trial.jump[t] = kPushedAside * dot(slip, frame[t]) / size;
-    return laws_.of(pair.line).project(trial, slides ? PairStatus::Slip : PairStatus::Stick);
+    trial.force[0] = std::max(normal, 0.0);
+    for (int t = 1; t < 3; ++t) trial.jump[t] = kPushedAside * along[t];
+    return trial;
   }
 
   static void add(const ContactRow::Equation& equation, double factor, ForceColumn& column) {
@@ -235,7 +241,7 @@ class ClosedPairs {
   }
 
   std::vector<ForceCut> violated(const SharedForces& shared, const Vector& now, double slack) const {
-    std::map<int, std::array<int, 3>> columnsOf;  // of each pair: place of each component
+    std::map<int, std::array<int, 3>> columnsOf;  // by pair: position of each component
     for (std::size_t i = 0; i < shared.columns.size(); ++i) {
       const Place& place = places_[std::size_t(shared.columns[i])];
       columnsOf.try_emplace(place.pair, std::array<int, 3>{{-1, -1, -1}}).first->second[std::size_t(place.component)] = static_cast<int>(i);
@@ -254,13 +260,7 @@ class ClosedPairs {
       for (std::size_t t = 1; t < frame.size(); ++t) along[t] = columns[t] >= 0 ? now(columns[t]) * unit : dot(pair.tangential, frame[t]);
       const double size = norm(along);
       if (size == 0.0) continue;
-      ContactTrial trial;
-      trial.place = pair.position;
-      trial.size = pair.length;
-      trial.slipped = slipped_.at(id);
-      trial.force = {std::max(normal, 0.0), along[1], along[2]};
-      trial.jump = {0.0, kPushedAside * along[1] / size, kPushedAside * along[2] / size};
-      const ContactState state = laws_.of(pair.line).project(trial, held);
+      const ContactState state = laws_.of(pair.line).project(pushed(pair, normal, scaled(1.0 / size, along)), held);
       if (state.status != PairStatus::Slip) continue;  // any force is admissible, or no pressure acts on the pair
       if (size <= state.largest(normal) + slack * unit) continue;
       ForceCut cut;
@@ -286,10 +286,9 @@ class ClosedPairs {
   std::vector<ForceColumn> columns_;
   std::vector<double> amplitudes_;
   std::vector<Place> places_;
-  std::map<int, double> moved_;  // of each body: largest displacement at its pairs
+  std::map<int, double> moved_;  // by body: largest displacement at its pairs
   std::map<int, ContactState> states_;
   std::map<int, std::vector<Point>> frames_;
-  std::map<int, bool> slipped_;
 };
 
 /// Joins parts that concern the same contacts. The total of a contact is determined if it is determined in all parts.

@@ -28,7 +28,7 @@ class Decomposition : public Method {
  private:
   Subdomains subdomains_;
   std::unique_ptr<InterfaceProblem> problem_;
-  Teuchos::RCP<Preconditioner> preconditioner_;  // of the last load step; null without load steps
+  Teuchos::RCP<Preconditioner> preconditioner_;  // preconditioner of the last load step; null without load steps
 };
 
 }  // namespace suture

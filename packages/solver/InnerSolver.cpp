@@ -98,7 +98,7 @@ struct InnerSolver::Solve {
   Teuchos::RCP<Belos::LinearProblem<double, MultiVector, Operator>> problem;
   Teuchos::RCP<PreconditionedNormTest> test = Teuchos::rcp(new PreconditionedNormTest);
   std::unique_ptr<ConjugateGradients> iteration;
-  double norm = 0.0;  // of the right-hand side
+  double norm = 0.0;  // norm of the right-hand side
 };
 
 InnerSolver::InnerSolver(int most) : most_(most) {}

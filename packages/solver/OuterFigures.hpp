@@ -15,7 +15,7 @@ struct OuterFigures {
   std::string failure;        ///< why it did not converge
   int iterations = 0;         ///< outer iterations
   int pcgTotal = 0;           ///< PCG steps of the outer iterations, including failed ones, without the auxiliary problem
-  int otherApplications = 0;  ///< of these, operator applications outside conjugate gradients: residuals, closing gaps
+  int otherApplications = 0;  ///< operator applications among them outside conjugate gradients: residuals, closing gaps
   double residual = 0.0;      ///< final residual in the stopping norm
   double energyError = -1.0;  ///< estimated final algebraic error in the energy norm; negative: unknown
   std::optional<DiscretisationError> discretisation;  ///< estimated, if the scene or an automatic tolerance requires it

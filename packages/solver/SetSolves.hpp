@@ -58,7 +58,7 @@ class SetSolves : public ContactOracle {
   ContactStates preconditioned_;    // states for which the preconditioner was made
   bool hasPreconditioner_ = false;  // the same on all ranks, including those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;
-  std::vector<int> clusterOf_;  // of each part
+  std::vector<int> clusterOf_;  // by part
   Vector lift_;                 // energy norm of each cluster at the start of the last solve, which sets the round-off level
   Vector largest_;              // twice the largest energy of each part so far; sets the round-off level
   Vector found_;                // the same for solutions only, without the energy of closing gaps

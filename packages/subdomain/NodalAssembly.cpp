@@ -60,7 +60,7 @@ SparseMatrix sumUp(const CellBlock& mesh, Components<Known> components, const El
     start[e + 1] = start[e] + size * size;
   }
   Neighbourhoods around(mesh);
-  std::vector<int> neighbours, firstNeighbour{0};  // of all nodes, one after the other
+  std::vector<int> neighbours, firstNeighbour{0};  // neighbours of all nodes, node by node
   SparseMatrix sum(mesh.nodes() * components, mesh.nodes() * components);
   int* outer = sum.outerIndexPtr();
   int most = 0;
@@ -74,7 +74,7 @@ SparseMatrix sumUp(const CellBlock& mesh, Components<Known> components, const El
   sum.resizeNonZeros(outer[sum.cols()]);
 
   std::vector<int> slot(mesh.nodes());                                       // row of a neighbour in the columns of the current node
-  std::vector<double> columns(static_cast<std::size_t>(most) * components);  // of the current node, with its full diagonal block
+  std::vector<double> columns(static_cast<std::size_t>(most) * components);  // columns of the current node, with its full diagonal block
   for (int node = 0; node < mesh.nodes(); ++node) {
     const Span<const int> here{neighbours.data() + firstNeighbour[node],
                                static_cast<std::size_t>(firstNeighbour[node + 1] - firstNeighbour[node])};

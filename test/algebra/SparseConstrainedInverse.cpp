@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsKeptInSinglePrecisionWhereThatChan
   const Cube cube(1.0);
   const auto n = static_cast<int>(cube.boundary.size());
   Matrix c = Matrix::Zero(3, n);
-  for (int k = 0; k < n; ++k) c(k % 3, k) = std::sqrt(3.0 / n);  // of about unit length, as in BDDC
+  for (int k = 0; k < n; ++k) c(k % 3, k) = std::sqrt(3.0 / n);  // about unit length, as in BDDC
   const SparseConstrainedInverse inverse(cube.stiffness, Matrix::Ones(cube.stiffness.rows(), 1), cube.boundary, c, cholmod(), "it");
   TEST_COMPARE(inverse.bytesRead(), >, 0.0);  // known for factors in single precision only
   const Matrix f = random(n, 11, 5), x = applied(inverse, f);
@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsKeptInDoublePrecisionWhereStiffnes
   const Cube cube(1e4);
   const auto n = static_cast<int>(cube.boundary.size());
   Matrix c = Matrix::Zero(3, n);
-  for (int k = 0; k < n; ++k) c(k % 3, k) = std::sqrt(3.0 / n);  // of about unit length, as in BDDC
+  for (int k = 0; k < n; ++k) c(k % 3, k) = std::sqrt(3.0 / n);  // about unit length, as in BDDC
   const SparseConstrainedInverse inverse(cube.stiffness, Matrix::Ones(cube.stiffness.rows(), 1), cube.boundary, c, cholmod(), "it");
   TEST_EQUALITY(inverse.bytesRead(), 0.0);
   const Matrix x = applied(inverse, random(n, 1, 5));

@@ -47,7 +47,7 @@ TEUCHOS_UNIT_TEST(SeveralBodies, CarryABeamOnTwoBlocksInTwoPieces) {
         for (const int id : piece.pairs) {
           const ContactPair& pair = constraints.pairs[id];
           length += pair.length;
-          for (const PairEnd& end : pair.ends)  // of a constant pressure on the beam
+          for (const PairEnd& end : pair.ends)  // force and moment of a constant pressure on the beam
             if (mesh.bodyOfNode[end.node] == 0) moment += end.weight * pair.length * mesh.point(end.node)[0];
           TEST_ASSERT(bodiesOf(mesh, pair) == std::set<int>(piece.bodies.begin(), piece.bodies.end()));
           TEST_COMPARE(norm(minus(pair.normal, {0, -1, 0})), <, 1e-15);

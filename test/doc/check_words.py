@@ -34,7 +34,7 @@ TURNS = [
     (r'\brounding\b(?! mode| error)', 'round-off'),
 ]
 # A comment begins with what it documents.
-OPENINGS = [(r'^(Of|What|Whoever|Who|By what|Whose) ', 'subject first: the noun or verb that is documented')]
+OPENINGS = [(r'^([Oo]f|[Ww]hat|[Ww]hoever|[Ww]ho|[Bb]y what|[Ww]hose) ', 'subject first: the noun or verb that is documented')]
 
 PAGES = ['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'doc', 'packages', 'input', 'packaging', 'python', 'drivers']
 SKIPPED = {'build', 'build-dev', '.git', '__pycache__'}
@@ -100,7 +100,7 @@ def pieces(file, relative, everything):
                     if ' ' in literal:
                         yield number, literal, False
         return
-    if kind == '.py' or everything or kind == '.xml':
+    if kind in ('.py', '.xml', '.json') or everything:
         for number, line in enumerate(lines, 1):
             if kind == '.py' and not everything and 'python' not in relative.parts and 'drivers' not in relative.parts:
                 return

@@ -271,7 +271,7 @@ TEUCHOS_UNIT_TEST(SolidLoads, PutAPointForceOnItsNode) {
 TEUCHOS_UNIT_TEST(SolidLoads, ElasticSupportsAnswerTranslationsByTheirNormalAndTangentialStiffness) {
   const double normal = 50.0, tangential = 3.0;
   const Eigen::Matrix3d by = rotation();
-  const Eigen::Vector3d moved(0.2, -0.1, 0.3), n = by.col(2);  // of the bottom, an area of 4
+  const Eigen::Vector3d moved(0.2, -0.1, 0.3), n = by.col(2);  // normal of the bottom, an area of 4
   const Eigen::Vector3d expected = 4.0 * (normal * n.dot(moved) * n + tangential * (moved - n.dot(moved) * n));
   for (const Cell cell : sample::solids()) {
     Mesh mesh = bar(cell);

@@ -230,7 +230,7 @@ TEUCHOS_UNIT_TEST(SolidStiffness, OfMixedElementsDoesNotLock) {
     TEST_COMPARE(more, >, 0.98);
   }
   const double locked = bendingEnergy(Cell::Hexahedron8, {"m", 3.0, 0.4999}) / bendingEnergy(Cell::Hexahedron8, {"m", 3.0, 0.49});
-  TEST_COMPARE(locked, >, 2.0);  // what the test would detect
+  TEST_COMPARE(locked, >, 2.0);  // such locking the test would detect
 }
 
 TEUCHOS_UNIT_TEST(SolidStiffness, RefusesAnInvertedElement) {

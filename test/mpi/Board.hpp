@@ -15,7 +15,7 @@ struct Entry {
   std::uint64_t place;                ///< hash of the calling place, the same in all processes
   std::uint32_t placeText;            ///< see Board::keep()
   std::int32_t root;                  ///< -1: none
-  std::int32_t operation;             ///< of a reduction; 0: none, or one of the caller's
+  std::int32_t operation;             ///< operation of a reduction; 0: none, or one of the caller's
   std::int32_t functionIndex;
 };
 

@@ -7,7 +7,7 @@ namespace suture::blocks {
 /// Three sheets of bricks glued along one line: an edge shared by three local problems, as in 3D. The first is clamped, the second floats;
 /// the third, clamped as well, has bricks of another size, so that their jumps cut the line elsewhere.
 struct Sheets {
-  std::vector<Matrix> schur;                     ///< of each sheet, onto the line
+  std::vector<Matrix> schur;                     ///< Schur complement of each sheet, onto the line
   std::vector<int> inner;                        ///< unknowns of the line that are at neither end
   Teuchos::RCP<const InterfaceOperator> matrix;  ///< sheets distributed over the ranks
 

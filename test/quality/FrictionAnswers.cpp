@@ -42,7 +42,7 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, HoldInPlaneAndSpaceOnBodiesAndObstacles) {
         out << int(way) << " " << dimension << " " << onObstacle << ": " << verdict.failure() << "\n";
         TEST_ASSERT(verdict.holds());
         TEST_COMPARE(verdict.balance.imbalance, <, 1e-11);
-        const int offset = onObstacle ? 0 : 1;  // of laws that restrict sliding
+        const int offset = onObstacle ? 0 : 1;  // first of the laws that restrict sliding
         TEST_EQUALITY(verdict.checks.size(), way == Rubs::Guided ? 14 : 17 + offset);
       }
 }

@@ -48,7 +48,7 @@ TEUCHOS_UNIT_TEST(Extremes, In3DAreThePrincipalStressesInAnyFrame) {
     TEST_FLOATING_EQUALITY(found.tension.value, s[0], 1e-10);
     TEST_FLOATING_EQUALITY(found.compression.value, s[1], 1e-10);
     TEST_FLOATING_EQUALITY(found.vonMises.value, vonMises, 1e-10);
-    TEST_FLOATING_EQUALITY(found.displacement.value, norm(cube.strain), 1e-12);  // of the corner (1, 1, 1)
+    TEST_FLOATING_EQUALITY(found.displacement.value, norm(cube.strain), 1e-12);  // displacement of the corner (1, 1, 1)
     TEST_COMPARE(norm(minus(found.displacement.place, plus(kFrame * Point{1, 1, 1}, kOrigin))), <, 1e-12);
   }
 }

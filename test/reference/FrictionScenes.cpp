@@ -54,7 +54,7 @@ void restOn(Scene& scene, const std::string& group, const Point& normal) {
 }
 
 struct Sums {
-  Point force{0, 0, 0};  // of the contact on the body of side A
+  Point force{0, 0, 0};  // force of the contact on the body of side A
   int stick = 0, closed = 0;
 };
 

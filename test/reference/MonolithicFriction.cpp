@@ -124,7 +124,7 @@ double violation(const CondensedContact& problem, const ContactSolution& found) 
     trial.jump[1] = 1e10;
     const double bound = state.closed() ? pair.law->project(trial, PairStatus::Slip).largest(normal) : 0.0;
     atMost(tangential.norm(), bound);
-    atMost(std::abs(tangential.dot(slip) - bound * slip.norm()), 0.0);  // of the bound where it slips, along the slip
+    atMost(std::abs(tangential.dot(slip) - bound * slip.norm()), 0.0);  // equals the bound where the pair slips, along the slip
     if (state.status == PairStatus::Stick) atMost(slip.norm(), 0.0);
   }
   return worst;

@@ -62,7 +62,7 @@ with tempfile.TemporaryDirectory() as out:
     assert height > 1.3 * smooth, f"no panel of friction: contact.png is {height} pixels high, without friction {smooth}"
     assert "largest mobilisation" in Path(out, "report.html").read_text()
 
-# The same as the last of two load steps: a picture more, and the fields of the step that is asked for.
+# The same as the last of two load steps: one more picture, and the fields of the requested step.
 with tempfile.TemporaryDirectory() as path:
     shutil.copytree(rubbing, path, dirs_exist_ok=True)
     for kind in ("fields", "contact"):

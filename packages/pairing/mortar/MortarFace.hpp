@@ -94,7 +94,7 @@ class ProjectedFace {
   std::array<PlanePoint, 9> nodes_;
   PlanePoint origin_;            // first corner of the facet
   ReferencePoint start_;         // reference coordinates of this corner
-  std::array<double, 4> slope_;  // of the reference coordinates over the flat facet, row by row
+  std::array<double, 4> slope_;  // slopes of the reference coordinates over the flat facet, row by row
 };
 
 }  // namespace suture

@@ -21,7 +21,7 @@ struct CoarseOptions {
   int copies = 0;           ///< ranks that hold a factor; 0: all
   int above = kAutomatic;   ///< more local problems than this: one more level; 0: exactly one more level
   int clusters = 0;         ///< local problems of the next level; 0: automatic, see automaticClusters
-  double accuracy = 0.1;    ///< of an approximate coarse solve: eigenvalues in [1 - accuracy, 1 + accuracy]
+  double accuracy = 0.1;    ///< accuracy of an approximate coarse solve: eigenvalues in [1 - accuracy, 1 + accuracy]
 
   /// Parameters `Weighting`, `Edge Constraints`, `Coarse Solver`, `Coarse Copies`, `Coarse Level Above`, `Coarse Clusters`,
   /// `Coarse Accuracy`.

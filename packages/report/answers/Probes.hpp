@@ -13,7 +13,7 @@ struct Probe {
   std::string name, path;           ///< path: "Output/Probes/<name>", for messages
   std::vector<SoughtPoint> points;  ///< empty for a group
   std::string group;                ///< empty: points
-  int dimension = 2;                ///< of the scene
+  int dimension = 2;                ///< dimension of the scene
 
   std::string fileName() const;  ///< "probe_<name>.csv"; characters of the name other than letters, digits, - and _ become _
 };
