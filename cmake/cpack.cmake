@@ -34,7 +34,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/deb
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "suture-dev, gmsh, paraview")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "elastic bodies in contact, solved by domain decomposition
 Contact areas, contact pressures and stresses: plane, axisymmetric or 3D, small strains, with and without friction, in parallel
-by MPI. Programs, library, guide and scenes. As a binary it is under the GPL, by CHOLMOD's supernodal module and Gmsh.")
+by MPI. Programs, library, guide and scenes. As a binary it is under the GPL, by CHOLMOD's supernodal module, SuiteSparseQR and Gmsh.")
 
 # Debian's configuration of Trilinos requires the components it was built with; cmake/bootstrap.sh lists them.
 file(STRINGS ${CMAKE_SOURCE_DIR}/cmake/bootstrap.sh lines REGEX "-dev")

@@ -3,7 +3,9 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <algorithm>
+#include <exception>
 #include <limits>
+#include <memory>
 #include <new>
 
 #include "Buffer.hpp"
@@ -268,41 +270,69 @@ std::vector<std::string> allGather(const Comm& comm, const std::string& bytes) {
   return all;
 }
 
+namespace {
+
+/// Messages under way and their buffers. If an exception passes, they stay in memory: until the job ends MPI may write into the buffers.
+class Messages {
+ public:
+  struct Data {
+    std::vector<unsigned long long> mine, theirs;  // sizes
+    std::map<int, std::string> received;
+    std::vector<MPI_Request> requests;
+  };
+  Messages() : data_(std::make_unique<Data>()), exceptions_(std::uncaught_exceptions()) {}
+  ~Messages() {
+    if (std::uncaught_exceptions() > exceptions_ && !data_->requests.empty()) static_cast<void>(data_.release());
+  }
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+  Data* operator->() { return data_.get(); }
+
+  MPI_Request* next() { return &data_->requests.emplace_back(); }
+  void wait() {
+    MPI_Waitall(static_cast<int>(data_->requests.size()), data_->requests.data(), MPI_STATUSES_IGNORE);
+    data_->requests.clear();
+  }
+
+ private:
+  std::unique_ptr<Data> data_;
+  int exceptions_;
+};
+
+}  // namespace
+
 std::map<int, std::string> swapWithNeighbours(const Comm& comm, const std::map<int, std::string>& toNeighbours) {
   constexpr int tag = 7321;
-  std::map<int, std::string> received;
+  Messages messages;
+  std::map<int, std::string>& received = messages->received;
   if (const auto own = toNeighbours.find(comm.getRank()); own != toNeighbours.end()) received[own->first] = own->second;
   std::vector<int> ranks;
   for (const auto& [rank, bytes] : toNeighbours)
     if (rank != comm.getRank()) ranks.push_back(rank);
-  if (ranks.empty()) return received;
+  if (ranks.empty()) return std::move(received);
   const MPI_Comm mpi = mpiComm(comm);
   const std::size_t most = 1u << 30;  // bytes of a message, which MPI counts in an int
-  std::vector<unsigned long long> mine(ranks.size()), theirs(ranks.size());
-  std::vector<MPI_Request> requests;
-  const auto wait = [&] {
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-    requests.clear();
-  };
+  messages->mine.resize(ranks.size());
+  messages->theirs.resize(ranks.size());
   for (std::size_t k = 0; k < ranks.size(); ++k) {
-    mine[k] = toNeighbours.at(ranks[k]).size();
-    MPI_Irecv(&theirs[k], 1, MPI_UNSIGNED_LONG_LONG, ranks[k], tag, mpi, &requests.emplace_back());
-    MPI_Isend(&mine[k], 1, MPI_UNSIGNED_LONG_LONG, ranks[k], tag, mpi, &requests.emplace_back());
+    messages->mine[k] = toNeighbours.at(ranks[k]).size();
+    MPI_Irecv(&messages->theirs[k], 1, MPI_UNSIGNED_LONG_LONG, ranks[k], tag, mpi, messages.next());
+    MPI_Isend(&messages->mine[k], 1, MPI_UNSIGNED_LONG_LONG, ranks[k], tag, mpi, messages.next());
   }
-  wait();
+  messages.wait();
   for (std::size_t k = 0; k < ranks.size(); ++k) {
     std::string& target = received[ranks[k]];
     const std::string& source = toNeighbours.at(ranks[k]);
-    target.resize(theirs[k]);
+    target.resize(messages->theirs[k]);
     for (std::size_t at = 0; at < target.size(); at += most)
       MPI_Irecv(target.data() + at, static_cast<int>(std::min(most, target.size() - at)), MPI_BYTE, ranks[k], tag + 1, mpi,
-                &requests.emplace_back());
+                messages.next());
     for (std::size_t at = 0; at < source.size(); at += most)
       MPI_Isend(source.data() + at, static_cast<int>(std::min(most, source.size() - at)), MPI_BYTE, ranks[k], tag + 1, mpi,
-                &requests.emplace_back());
+                messages.next());
   }
-  wait();
-  return received;
+  messages.wait();
+  return std::move(received);
 }
 
 std::vector<int> unionOverRanks(const Comm& comm, const std::vector<int>& mine) {

@@ -16,8 +16,8 @@ struct ContactState {
   Point direction{0, 0,
                   0};  ///< direction in which side A slides along side B, in the pair's frame, a unit vector; zero without frictional slip
   double bound = 0.0;  ///< largest tangential force at zero normal force; 0 without friction [force]
-  double friction = 0.0;  ///< slope of the law: increase of the bound per normal force
-  double across = 0.0;    ///< stiffness along acrossSlip(), of slipping pairs (FrictionSearch) and open pairs (StateSearch) [force/length]
+  double friction = 0.0;             ///< slope of the law: increase of the bound per normal force
+  double transverseStiffness = 0.0;  ///< along acrossSlip(), of slipping pairs and of open pairs that hold a neutral motion [force/length]
 
   ContactState() = default;
   ContactState(PairStatus s) : status(s) {}
@@ -33,10 +33,11 @@ struct ContactState {
   /// Largest tangential force at a given normal force.
   double largest(double normal) const { return std::max(0.0, bound + friction * std::max(0.0, normal)); }
   /// True if the normal force on the pair changes its tangential force.
-  bool drags() const { return status == PairStatus::Slip && friction != 0.0; }
+  bool couplesToNormal() const { return status == PairStatus::Slip && friction != 0.0; }
 
   friend bool operator==(const ContactState& a, const ContactState& b) {
-    return a.status == b.status && a.direction == b.direction && a.bound == b.bound && a.friction == b.friction && a.across == b.across;
+    return a.status == b.status && a.direction == b.direction && a.bound == b.bound && a.friction == b.friction &&
+           a.transverseStiffness == b.transverseStiffness;
   }
   friend bool operator!=(const ContactState& a, const ContactState& b) { return !(a == b); }
 };

@@ -40,7 +40,7 @@ ContactState Collapse::slipping(std::size_t pair, const Vector& slip, double nor
   if (state.status != PairStatus::Slip) return PairStatus::Stick;
   state.bound *= multiple;
   state.friction *= multiple;
-  if (!oracle_.drags()) {
+  if (!solver_.couplesToNormal()) {
     state.bound = state.largest(normal);
     state.friction = 0.0;
   }
@@ -59,7 +59,7 @@ Matrix Collapse::mechanisms(const ClosedSet& closed) const {
     if (!closed[i]) continue;
     const bool rubs = laws_.of(rigid_.data().line[i]).rows(2) > 1;
     states[i] = rubs ? slipping(i, Vector::Zero(2), 1.0, 1.0) : ContactState(PairStatus::Slip);
-    states[i].across = 0.0;
+    states[i].transverseStiffness = 0.0;
   }
   return rigid_.loose(states);
 }
@@ -113,7 +113,7 @@ Vector Collapse::steepest(const ClosedSet& closed, const Vector& normal, const M
 /// True if open pairs may close along the motion.
 bool Collapse::meetsOthers(const ClosedSet& closed, const Vector& motion) const {
   for (std::size_t i = 0; i < closed.size(); ++i)
-    if (!closed[i] && rigid_.data().able[i] && rigid_.data().rows.row(static_cast<Eigen::Index>(i)).dot(motion) > kDependentRows)
+    if (!closed[i] && rigid_.data().canChange[i] && rigid_.data().rows.row(static_cast<Eigen::Index>(i)).dot(motion) > kDependentRows)
       return true;
   return false;
 }
@@ -125,7 +125,7 @@ PairStates Collapse::sliding(const ClosedSet& closed, const Vector& normal, cons
   PairStates states(closed.size());
   for (std::size_t i = 0; i < closed.size(); ++i) {
     if (!closed[i]) {
-      if (!rigid_.data().able[i]) states[i] = now[i];
+      if (!rigid_.data().canChange[i]) states[i] = now[i];
       continue;
     }
     const Vector slip = slipOf(i, motion);
@@ -135,7 +135,7 @@ PairStates Collapse::sliding(const ClosedSet& closed, const Vector& normal, cons
       states[i] = slipping(i, slip, normal(static_cast<Eigen::Index>(i)), multiple);
     else
       states[i] = now[i].closed() ? now[i] : ContactState(PairStatus::Stick);
-    states[i].across = 0.0;
+    states[i].transverseStiffness = 0.0;
   }
   for (Matrix loose = rigid_.loose(states); loose.cols() > 0;) {
     std::size_t best = states.size();
@@ -163,9 +163,9 @@ Collapse::Result Collapse::find(const PairStates& states, Vector normal, int mos
   Result result;
   if (data.tangents.empty() || rigid_.motions() == 0 || normal.size() != rigid_.pairs()) return result;
   ClosedSet closed(states.size(), 0);
-  for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = data.able[i] && states[i].closed();
+  for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = data.canChange[i] && states[i].closed();
   double last = 0.0;
-  const double tolerance = std::sqrt(oracle_.loosest() * oracle_.tightest());
+  const double tolerance = std::sqrt(solver_.loosest() * solver_.tightest());
   while (true) {
     normal = normal.cwiseMax(0.0);
     const Matrix free = mechanisms(closed);
@@ -179,15 +179,15 @@ Collapse::Result Collapse::find(const PairStates& states, Vector normal, int mos
       result.multiple = multiple;
       return result;
     }
-    if (result.solves >= most || !oracle_.goesOn()) return result;
+    if (result.solves >= most || !solver_.goesOn()) return result;
     last = multiple;
     ++result.solves;
-    const FrictionAnswer answer = oracle_.solve(sliding(closed, normal, motion, multiple, states), tolerance);
+    const FrictionAnswer answer = solver_.solve(sliding(closed, normal, motion, multiple, states), tolerance);
     if (!answer.solved) return result;
     bool changed = false;
     for (std::size_t i = 0; i < closed.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
-      if (!data.able[i]) continue;
+      if (!data.canChange[i]) continue;
       const bool wrong = closed[i] ? answer.force(at, 0) < -answer.forceTolerance(at) && laws_.of(data.line[i]).separates()
                                    : answer.jump(at, 0) > answer.jumpTolerance(at);
       if (wrong) closed[i] = !closed[i];

@@ -1,5 +1,7 @@
 #pragma once
-#include <suture/contact/FrictionSearch.hpp>
+#include <suture/constraints/ContactLaw.hpp>
+#include <suture/contact/LinearContactSolver.hpp>
+#include <suture/contact/RigidContact.hpp>
 
 #include <functional>
 
@@ -14,18 +16,19 @@ namespace suture {
 class Collapse {
  public:
   /// All arguments must outlive it.
-  Collapse(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, FrictionOracle& oracle)
-      : rigid_(rigid), laws_(laws), sites_(sites), oracle_(oracle) {}
+  Collapse(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, LinearContactSolver& solver)
+      : rigid_(rigid), laws_(laws), sites_(sites), solver_(solver) {}
 
   struct Result {
     Vector motion;          ///< direction in which bodies slide, of unit length; empty: no mechanism with a multiple above one was found
     double multiple = 0.0;  ///< factor on friction at which friction just holds the loads
     int solves = 0;
   };
+  static constexpr int kSolves = 10;  ///< usual maximum number of solves
   /// \param states  states of the pairs; only the closed pairs are used
   /// \param normal  normal forces of the pairs, as initial guess
   /// \param most  maximum number of solves
-  /// Collective if the oracle is.
+  /// Collective if the solver is.
   Result find(const PairStates& states, Vector normal, int most) const;
 
  private:
@@ -41,7 +44,7 @@ class Collapse {
   const RigidContact& rigid_;
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
-  FrictionOracle& oracle_;
+  LinearContactSolver& solver_;
 };
 
 }  // namespace suture

@@ -70,7 +70,7 @@ ContactCompliance::Closed::Closed(const ContactCompliance& contact, const std::v
   for (int pair = 0; pair < contact.pairs() && !rows.tangents.empty(); ++pair) {
     const ContactState& own = status[pair];
     if (own.status != PairStatus::Slip) continue;
-    Spring spring{{-1, -1}, {0.0, 0.0}, own.across > 0.0 ? 1.0 / own.across : 0.0};
+    Spring spring{{-1, -1}, {0.0, 0.0}, own.transverseStiffness > 0.0 ? 1.0 / own.transverseStiffness : 0.0};
     const Point across = acrossSlip(own);
     for (int component = 1; component <= 2; ++component) {
       const int row = rows.rowOf(pair, component);
@@ -81,7 +81,7 @@ ContactCompliance::Closed::Closed(const ContactCompliance& contact, const std::v
       if (slipping_.size() == 0) slipping_ = Vector::Zero(contact.rows());
       slipping_(row) = own.bound * own.direction[component];
     }
-    if (own.across > 0.0 && (spring.rows[0] >= 0 || spring.rows[1] >= 0)) springs_.push_back(spring);
+    if (own.transverseStiffness > 0.0 && (spring.rows[0] >= 0 || spring.rows[1] >= 0)) springs_.push_back(spring);
   }
   Matrix g(size(), contact.rigidRows_.cols());
   pick(contact.rigidRows_, g);
@@ -202,7 +202,7 @@ ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector
     const bool goesOn = i > 0 && rows_.pairIds[i] == rows_.pairIds[i - 1] + 1;
     data.line.push_back(rows_.surfaces ? rows_.lines[i] : goesOn ? data.line.back() : i);
   }
-  data.able.assign(pairs(), 1);
+  data.canChange.assign(pairs(), 1);
   RigidContact rigid(std::move(data));
   DelassusProblem problem(rigid, compliance_, open, {});
   ClosedSet first(pairs(), 0);

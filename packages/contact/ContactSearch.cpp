@@ -85,7 +85,7 @@ bool ContactSearch::pulls() const {
 
 bool ContactSearch::penetrates(const Vector& penetration, const Vector& tolerance, const ClosedSet& closed) const {
   for (std::size_t i = 0; i < closed.size(); ++i)
-    if (!closed[i] && rigid_.data().able[i] && penetration(static_cast<Eigen::Index>(i)) > tolerance(static_cast<Eigen::Index>(i)))
+    if (!closed[i] && rigid_.data().canChange[i] && penetration(static_cast<Eigen::Index>(i)) > tolerance(static_cast<Eigen::Index>(i)))
       return true;
   return false;
 }
@@ -94,7 +94,7 @@ ClosedSet ContactSearch::flipped() const {
   ClosedSet next = set_;
   for (std::size_t i = 0; i < next.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    if (!rigid_.data().able[i]) continue;
+    if (!rigid_.data().canChange[i]) continue;
     if (set_[i] ? answer_.force(at) < -answer_.forceTolerance(at) : answer_.penetration(at) > answer_.penetrationTolerance(at))
       next[i] = !set_[i];
   }
@@ -167,7 +167,7 @@ double ContactSearch::distance(const Vector& force, const Vector& penetration) c
   const Vector& c = rigid_.compliance();
   double sum = 0.0;
   for (Eigen::Index i = 0; i < force.size(); ++i) {
-    if (!rigid_.data().able[static_cast<std::size_t>(i)]) continue;
+    if (!rigid_.data().canChange[static_cast<std::size_t>(i)]) continue;
     const double apart = force(i) - std::max(force(i) + penetration(i) / c(i), 0.0);
     sum += c(i) * apart * apart;
   }
@@ -198,7 +198,7 @@ bool ContactSearch::searchLine(ClosedSet& next) {
   const Vector t = padPenetration(nearest_.force, nearest_.penetration);
   next = set_;
   for (std::size_t i = 0; i < next.size(); ++i)
-    if (rigid_.data().able[i]) next[i] = t(static_cast<Eigen::Index>(i)) > 0.0;
+    if (rigid_.data().canChange[i]) next[i] = t(static_cast<Eigen::Index>(i)) > 0.0;
   next = guarded(next, nearest_.force, nearest_.penetration);
   return !proposed(next);
 }
@@ -258,7 +258,7 @@ ContactSearch::Result ContactSearch::finish(bool converged, std::string failure)
     moveLeast(carrying);
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
-      touching[i] = rigid_.data().able[i] && !carrying[i] && (set_[i] || answer_.penetration(at) >= -answer_.penetrationTolerance(at));
+      touching[i] = rigid_.data().canChange[i] && !carrying[i] && (set_[i] || answer_.penetration(at) >= -answer_.penetrationTolerance(at));
     }
     result.neutral = rigid_.neutral(carrying, touching);
   } else if (seen_.size() > 1) {

@@ -27,11 +27,11 @@ ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vect
     for (int j = 0; j < n; ++j) compliance(i, j) = std::sqrt(local(i) * local(j)) * (far + (i == j ? kSelf : -std::log(std::abs(i - j))));
   const Vector open = penetration.segment(first, n) + compliance * force.segment(first, n);
   RigidContact::Pairs pairs{Matrix(n, 0), Vector(0), open, rigid.data().stiffness.segment(first, n), std::vector<int>(n, 0), {}, {}};
-  pairs.able.assign(rigid.data().able.begin() + first, rigid.data().able.begin() + last);
+  pairs.canChange.assign(rigid.data().canChange.begin() + first, rigid.data().canChange.begin() + last);
   RigidContact pads(std::move(pairs));
   DelassusProblem problem(pads, compliance, open, {});
   ClosedSet start(n, 0);
-  for (int i = 0; i < n; ++i) start[i] = pads.data().able[i] && (force(first + i) > 0.0 || penetration(first + i) > 0.0);
+  for (int i = 0; i < n; ++i) start[i] = pads.data().canChange[i] && (force(first + i) > 0.0 || penetration(first + i) > 0.0);
   ContactSearch search(pads, problem, kMostPadSolves);
   search.withoutModel();
   const ContactSearch::Result result = search.run(start);

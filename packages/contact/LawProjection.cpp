@@ -51,16 +51,30 @@ ContactState LawProjection::state(std::size_t pair, const ContactState& now, con
   if (rubs(pair) && isFrozen()) next = frozen(next, normal_(static_cast<Eigen::Index>(pair)), first, second);
   if (next.status == PairStatus::Slip && rigid_.data().tangents.size() == 2 && next.direction != Point{0, 0, 0}) {
     const double bound = next.largest(force[0] + jump[0]), beyond = std::hypot(first, second) - bound;
-    next.across = tangential_ * sites_[pair].tangential * (beyond * kLawAcross > bound ? bound / beyond : kLawAcross);
+    next.transverseStiffness = tangential_ * sites_[pair].tangential * (beyond * kLawAcross > bound ? bound / beyond : kLawAcross);
   }
   return next;
+}
+
+PairStates LawProjection::refrozen(PairStates states) const {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    ContactState& own = states[i];
+    if (!own.closed() || !rubs(i)) continue;
+    const double normal = normal_(static_cast<Eigen::Index>(i));
+    Point pushed{0, 0, 0};
+    for (int k = 1; k <= 2; ++k) pushed[k] = kLawPushed * own.direction[k];
+    const ContactState bounds = state(i, own, {normal, 0.0, 0.0}, pushed);
+    own.bound = bounds.bound;
+    own.friction = bounds.friction;
+  }
+  return states;
 }
 
 PairStates LawProjection::states(const PairStates& now, const Matrix& force, const Matrix& jump) const {
   PairStates next = now;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    if (rigid_.data().able[i]) next[i] = state(i, now[i], {force(at, 0), force(at, 1), force(at, 2)}, stiff(i, jump));
+    if (rigid_.data().canChange[i]) next[i] = state(i, now[i], {force(at, 0), force(at, 1), force(at, 2)}, stiff(i, jump));
   }
   return next;
 }
@@ -68,7 +82,7 @@ PairStates LawProjection::states(const PairStates& now, const Matrix& force, con
 PairStates LawProjection::believed(const PairStates& now, const FrictionAnswer& answer) const {
   PairStates all = now;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (!rigid_.data().able[i]) continue;
+    if (!rigid_.data().canChange[i]) continue;
     const auto at = static_cast<Eigen::Index>(i);
     const double tolerance = answer.forceTolerance(at);
     Point force{0, 0, 0}, jump = stiff(i, answer.jump);
@@ -83,7 +97,7 @@ PairStates LawProjection::believed(const PairStates& now, const FrictionAnswer& 
       const double size = std::hypot(force[1], force[2]), less = size > 0.0 ? std::max(0.0, 1.0 - tolerance / size) : 0.0;
       for (int k = 1; k <= 2; ++k) force[k] *= less, jump[k] = 0.0;
     } else if (now[i].status == PairStatus::Slip) {
-      for (int k = 1; k <= 2; ++k) force[k] += tolerance * now[i].direction[k];
+      for (int k = 1; k <= 2; ++k) force[k] += (1.0 + now[i].friction) * tolerance * now[i].direction[k];  // beyond the bound at force[0]
     }
     ContactState next = state(i, now[i], force, jump);
     // Slip reverses through stick: pairs that skip stick cycle if little except friction holds a body.
@@ -91,7 +105,7 @@ PairStates LawProjection::believed(const PairStates& now, const FrictionAnswer& 
         now[i].direction[1] * next.direction[1] + now[i].direction[2] * next.direction[2] < 0.0) {
       next.status = PairStatus::Stick;
       next.direction = {0, 0, 0};
-      next.across = 0.0;
+      next.transverseStiffness = 0.0;
     }
     all[i] = next;
   }
@@ -101,7 +115,7 @@ PairStates LawProjection::believed(const PairStates& now, const FrictionAnswer& 
 double LawProjection::distance(const PairStates& now, const Matrix& force, const Matrix& jump) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (!rigid_.data().able[i]) continue;
+    if (!rigid_.data().canChange[i]) continue;
     const auto at = static_cast<Eigen::Index>(i);
     const Point own{force(at, 0), force(at, 1), force(at, 2)}, more = stiff(i, jump);
     const ContactState next = state(i, now[i], own, more);
@@ -130,7 +144,7 @@ double LawProjection::turn(std::size_t pair, const ContactState& next, const Fri
 
 FrictionCone LawProjection::cone(std::size_t pair) const {
   FrictionCone cone;
-  if (!rigid_.data().able[pair] || !rubs(pair) || rigid_.data().tangents.empty()) return cone;
+  if (!rigid_.data().canChange[pair] || !rubs(pair) || rigid_.data().tangents.empty()) return cone;
   const int directions = rigid_.data().tangents.size() == 2 ? kDirections : 2;
   for (int k = 0; k < directions; ++k) {
     const double angle = 2.0 * M_PI * k / directions;

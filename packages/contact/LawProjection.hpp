@@ -1,6 +1,8 @@
 #pragma once
+#include <suture/constraints/ContactLaw.hpp>
 #include <suture/contact/FrictionCone.hpp>
-#include <suture/contact/FrictionSearch.hpp>
+#include <suture/contact/LinearContactSolver.hpp>
+#include <suture/contact/RigidContact.hpp>
 
 #include <vector>
 
@@ -12,14 +14,14 @@ namespace suture {
 /// pairs alternate between stick and slip. Local.
 class LawProjection {
  public:
-  /// All arguments must outlive it.
-  LawProjection(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites)
-      : rigid_(rigid), laws_(laws), sites_(sites) {}
+  /// The first three must outlive it. \param normal  normal forces for the bounds of a Tresca problem [force]; empty: bounds follow the
+  /// current normal forces
+  LawProjection(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, Vector normal = {})
+      : rigid_(rigid), laws_(laws), sites_(sites), normal_(std::move(normal)) {}
 
   /// Sets the fraction of the tangential stiffness in R.
   void setTangential(double part) { tangential_ = part; }
-  /// Uses bounds from given normal forces [force] instead of the current ones: a Tresca problem. Empty: the current ones.
-  void freeze(const Vector& normal) { normal_ = normal; }
+  /// True for a Tresca problem.
   bool isFrozen() const { return normal_.size() > 0; }
 
   /// True if the law of a pair restricts sliding.
@@ -28,6 +30,8 @@ class LawProjection {
   double tangentialStiffness(std::size_t pair) const { return sites_[pair].tangential; }
   /// State of a pair at a trial force. \param now  current state;  \param force, jump  rows of the pair, the jump times R [force]
   ContactState state(std::size_t pair, const ContactState& now, const Point& force, const Point& jump) const;
+  /// The given states of a Tresca problem with its own bounds.
+  PairStates refrozen(PairStates states) const;
   /// States of all pairs at given forces and jumps, without tolerances. \param jump  pairs x 3 [length]
   PairStates states(const PairStates& now, const Matrix& force, const Matrix& jump) const;
   /// States of all pairs at a solution, within its tolerances: a pair in doubt keeps its current state.

@@ -35,7 +35,7 @@ constexpr int kBrackets = 60;         // maximum number of steps of a line searc
 PadModel::PadModel(const RigidContact::Pairs& data, std::vector<FrictionCone> cones)
     : data_(data), cones_(std::move(cones)), rows_(data.line.size()), motions_(static_cast<int>(data.work.size())) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (!data.able[i]) continue;
+    if (!data.canChange[i]) continue;
     const auto at = static_cast<Eigen::Index>(i);
     for (int k = 0; k < motions_; ++k) {
       Eigen::Vector3d effect(data.rows(at, k), 0.0, 0.0);
@@ -79,7 +79,7 @@ Matrix PadModel::forces(const Matrix& y, const Vector& stiffness, std::vector<Ei
   Matrix force = Matrix::Zero(y.rows(), 3);
   if (derivatives) derivatives->assign(rows_.size(), Eigen::Matrix3d::Zero());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].motions.empty() && !data_.able[i]) continue;
+    if (rows_[i].motions.empty() && !data_.canChange[i]) continue;
     const auto at = static_cast<Eigen::Index>(i);
     force.row(at) = cones_[i].project(stiffness(at) * y.row(at).transpose(), derivatives ? &(*derivatives)[i] : nullptr).transpose();
   }
@@ -206,22 +206,44 @@ PadModel::Equilibrium PadModel::associated(const Matrix& t, const Vector& compli
   return result;
 }
 
+PadModel::Equilibrium PadModel::unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance) {
+  RigidContact::Pairs pairs;
+  pairs.rows = rows;
+  pairs.work = work;
+  pairs.line.assign(static_cast<std::size_t>(t.size()), 0);
+  pairs.canChange.assign(pairs.line.size(), 1);
+  Matrix from = Matrix::Zero(t.size(), 3);
+  from.col(0) = t;
+  return PadModel(pairs, std::vector<FrictionCone>(pairs.line.size())).associated(from, compliance);
+}
+
 PadModel::Equilibrium PadModel::coulomb(const Matrix& t, const Vector& compliance, const Vector& slip) const {
   Vector friction(t.rows());
   for (Eigen::Index i = 0; i < t.rows(); ++i) friction(i) = cones_[static_cast<std::size_t>(i)].friction;
   Vector opened = slip.size() > 0 ? Vector(friction.cwiseProduct(slip)) : Vector(Vector::Zero(t.rows()));
+  PadModel own = *this;
   Equilibrium result;
   for (int round = 0;; ++round) {
     Matrix from = t;
     from.col(0) -= opened;
-    result = associated(from, compliance);
-    result.trial.col(0) += opened.cwiseQuotient(compliance);
-    if (!result.found || friction.isZero(0.0) || round + 1 == kCoulombRounds) return result;
-    Vector next(t.rows());
-    for (Eigen::Index i = 0; i < t.rows(); ++i)
-      next(i) = friction(i) * compliance(i) * (result.trial.row(i) - result.force.row(i)).tail(2).norm();
-    const Vector change = next - opened;
-    if (change.norm() <= kSameSlip * next.norm()) return result;
+    Equilibrium next = own.associated(from, compliance);
+    next.trial.col(0) += opened.cwiseQuotient(compliance);
+    if (!next.found && round > 0) return result;  // bounds that an open pair loses may be needed
+    result = std::move(next);
+    if (!result.found || round + 1 == kCoulombRounds) return result;
+    bool same = true;
+    Vector slips(t.rows());
+    for (Eigen::Index i = 0; i < t.rows(); ++i) {
+      const auto pair = static_cast<std::size_t>(i);
+      slips(i) = friction(i) * compliance(i) * (result.trial.row(i) - result.force.row(i)).tail(2).norm();
+      double& bound = own.cones_[pair].bound;
+      const double law = cones_[pair].bound, now = result.force(i, 0) > 0.0 ? (round < kDamped ? law : bound) : 0.0;
+      if (!std::isfinite(law) || now == bound) continue;
+      bound = now;
+      same = false;
+    }
+    const Vector change = slips - opened;
+    if (same && change.norm() <= kSameSlip * slips.norm()) return result;
     opened += (round < kDamped ? 1.0 : 0.5) * change;
   }
 }
@@ -231,7 +253,7 @@ Vector PadModel::unbalanced() const {
   Vector stiffness(static_cast<Eigen::Index>(rows_.size()));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    stiffness(at) = data_.able[i] ? data_.stiffness(at) / kRigid : 1.0;
+    stiffness(at) = data_.canChange[i] ? data_.stiffness(at) / kRigid : 1.0;
   }
   const Vector reference = kRigid * this->reference(stiffness), scale = reference.cwiseSqrt();
   Point at{Vector::Zero(motions_), Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 3)};

@@ -1,7 +1,9 @@
 #include <suture/algebra/DisjointSets.hpp>
+#include <suture/algebra/SparseNullSpace.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/contact/PadModel.hpp>
 #include <suture/contact/PadProblem.hpp>
 #include <suture/contact/RigidContact.hpp>
 
@@ -15,7 +17,8 @@ namespace {
 
 constexpr double kTouching = 1e-12;    // penetration, relative to the size of the gaps, at which a pair touches
 constexpr double kNoWork = 1e-11;      // work of loads in a motion that counts as zero, relative to the sum of its parts
-constexpr double kWeakSprings = 1e-2;  // singular value of springs along tangents below which they hold no motion
+constexpr double kWeakSprings = 1e-2;  // singular value of springs along tangents, relative to the pairs, below which they hold no motion
+constexpr int kDense = 60;             // motions up to which dense decompositions are faster than sparse ones
 constexpr int kPatchRounds = 4;        // rounds of the fixed point of compliance and patch lengths
 // Centre of a disc with a force on each of n nodes at distance h: displacement 3.5 sqrt(n) / (pi E* h) (Boussinesq, sum of 1 / r). For two
 // bodies of trilinear cubes a node has k = 0.45 E h, E* = 0.55 E.
@@ -36,7 +39,8 @@ RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)), norm_(pairs_
   compliance_ = 2.0 * pairs_.stiffness.cwiseInverse();
   rounding_ = Vector::Zero(this->pairs());
   for (int i = 0; i < this->pairs(); ++i)
-    if (!pairs_.able[i]) compliance_(i) = 1.0;
+    if (!pairs_.canChange[i]) compliance_(i) = 1.0;
+  findEntries();
   rank_ = motions() - static_cast<int>(loose(ClosedSet(this->pairs(), 1)).cols());
   findComponents();
 }
@@ -45,7 +49,7 @@ void RigidContact::findComponents() {
   DisjointSets sets(motions());
   std::vector<int> any(pairs(), -1);  // a motion that moves the pair
   for (int i = 0; i < pairs(); ++i) {
-    if (!pairs_.able[i]) continue;
+    if (!pairs_.canChange[i]) continue;
     for (int k = 0; k < motions(); ++k)
       if (pairs_.rows(i, k) != 0.0) {
         if (any[i] < 0) any[i] = k;
@@ -72,11 +76,18 @@ RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   // Pairs that cannot change are left out.
   Vector stiffness = compliance_.cwiseInverse();
   for (int i = 0; i < pairs(); ++i)
-    if (!pairs_.able[i]) stiffness(i) = 0.0;
+    if (!pairs_.canChange[i]) stiffness(i) = 0.0;
   Vector penetration = t;
   for (const Component& component : components_) {
     const Matrix rows = pairs_.rows(component.pairs, component.motions);
     const Vector work = pairs_.work(component.motions), own = t(component.pairs), k = stiffness(component.pairs);
+    if (work.size() > kDense) {
+      const PadModel::Equilibrium pads = PadModel::unilateral(rows, work, own, k.cwiseInverse());
+      result.found = pads.found && result.found;
+      result.motion(component.motions) = pads.motion;
+      penetration(component.pairs) = pads.trial.col(0).cwiseQuotient(k);
+      continue;
+    }
     const PadProblem problem(rows, k, work, work.norm());
     Vector x = Vector::Zero(work.size()), y = own;
     result.found = problem.solve(x, y) && result.found;
@@ -92,7 +103,7 @@ Vector RigidContact::leastMotion(const ClosedSet& carrying, const Vector& motion
   if (free.cols() == 0) return motion;
   std::vector<int> open;
   for (const int i : members(carrying, 0))
-    if (pairs_.able[i]) open.push_back(i);
+    if (pairs_.canChange[i]) open.push_back(i);
   const Matrix rows = pairs_.rows(open, Eigen::all) * free;
   const Vector room = -Vector(penetration(open)).cwiseMin(0.0), along = free.transpose() * motion;
   return motion + free * (leastDistance(-rows, -room - rows * along) - along);
@@ -124,7 +135,7 @@ ClosedSet RigidContact::start() {
   ClosedSet set(pairs(), 0), last;
   compliance_ = 6.0 * pairs_.stiffness.cwiseInverse();
   for (int i = 0; i < pairs(); ++i)
-    if (!pairs_.able[i]) compliance_(i) = 1.0;
+    if (!pairs_.canChange[i]) compliance_(i) = 1.0;
   Equilibrium pads;
   for (int round = 0; round < kPatchRounds; ++round) {
     pads = project(pairs_.penetration);
@@ -133,42 +144,71 @@ ClosedSet RigidContact::start() {
     last = set;
     const Vector length = patchLengths(set);
     for (int i = 0; i < pairs(); ++i)
-      if (pairs_.able[i]) compliance_(i) = std::max(2.0, length(i)) / pairs_.stiffness(i);
+      if (pairs_.canChange[i]) compliance_(i) = std::max(2.0, length(i)) / pairs_.stiffness(i);
   }
   if (!pads.found) throw NumericalError("contact: the loads push a body away from all contacts that could hold it");
   double size = 0.0;
   for (int i = 0; i < pairs(); ++i) size = std::max(size, std::abs(pairs_.penetration(i)));
   for (int i = 0; i < pairs(); ++i)
-    if (pairs_.able[i] && pairs_.rows.row(i).norm() < kDependentRows && pairs_.penetration(i) >= -kTouching * size) set[i] = 1;
+    if (pairs_.canChange[i] && pairs_.rows.row(i).norm() < kDependentRows && pairs_.penetration(i) >= -kTouching * size) set[i] = 1;
   return set;
+}
+
+void RigidContact::findEntries() {
+  entries_.assign(1 + pairs_.tangents.size(), std::vector<Entries>(static_cast<std::size_t>(pairs())));
+  for (std::size_t c = 0; c < entries_.size(); ++c) {
+    const Matrix& rows = c == 0 ? pairs_.rows : pairs_.tangents[c - 1];
+    for (int k = 0; k < motions(); ++k)
+      for (int i = 0; i < pairs(); ++i)
+        if (rows(i, k) != 0.0) entries_[c][static_cast<std::size_t>(i)].emplace_back(k, rows(i, k));
+  }
+}
+
+Matrix RigidContact::nullSpaceOf(const std::vector<const Entries*>& rows) const {
+  if (motions() <= kDense) {
+    Matrix dense = Matrix::Zero(static_cast<Eigen::Index>(rows.size()), motions());
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (const auto& [motion, value] : *rows[r]) dense(static_cast<Eigen::Index>(r), motion) = value;
+    return rows.empty() ? Matrix(Matrix::Identity(motions(), motions())) : nullSpace(dense, kDependentRows);
+  }
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (const auto& [motion, value] : *rows[r]) entries.emplace_back(static_cast<int>(r), motion, value);
+  SparseMatrix sparse(static_cast<Eigen::Index>(rows.size()), motions());
+  sparse.setFromTriplets(entries.begin(), entries.end());
+  return sparseNullSpace(sparse, kDependentRows);
 }
 
 Matrix RigidContact::loose(const ClosedSet& closed) const {
   if (motions() == 0) return Matrix(0, 0);
-  const std::vector<int> at = members(closed, 1);
-  if (at.empty()) return Matrix::Identity(motions(), motions());
-  return nullSpace(pairs_.rows(at, Eigen::all), kDependentRows);
+  std::vector<const Entries*> rows;
+  for (const int i : members(closed, 1)) rows.push_back(&entries_[0][static_cast<std::size_t>(i)]);
+  return nullSpaceOf(rows);
 }
 
 Matrix RigidContact::loose(const std::vector<ContactState>& states) const {
   if (motions() == 0) return Matrix(0, 0);
-  Matrix rows(static_cast<Eigen::Index>(states.size() * (1 + pairs_.tangents.size())), motions()), springs(rows.rows(), motions());
-  Eigen::Index count = 0, across = 0;
+  std::vector<const Entries*> rows;
+  std::vector<Vector> springs;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const ContactState& state = states[i];
-    if (state.closed()) rows.row(count++) = pairs_.rows.row(at);
+    if (state.closed()) rows.push_back(&entries_[0][i]);
     if (state.status == PairStatus::Stick) {
-      for (const Matrix& tangent : pairs_.tangents) rows.row(count++) = tangent.row(at);
-    } else if (state.across > 0.0 && !pairs_.tangents.empty()) {
+      for (std::size_t c = 1; c < entries_.size(); ++c) rows.push_back(&entries_[c][i]);
+    } else if (state.transverseStiffness > 0.0 && !pairs_.tangents.empty()) {
       const Point along = acrossSlip(state);
-      springs.row(across) = along[1] * pairs_.tangents[0].row(at);
-      if (pairs_.tangents.size() == 2) springs.row(across) += along[2] * pairs_.tangents[1].row(at);
-      ++across;
+      Vector spring = along[1] * pairs_.tangents[0].row(at).transpose();
+      if (pairs_.tangents.size() == 2) spring += along[2] * pairs_.tangents[1].row(at).transpose();
+      springs.push_back(std::min(1.0, std::sqrt(state.transverseStiffness / pairs_.stiffness(at))) *
+                        spring);  // a soft spring holds nothing
     }
   }
-  const Matrix free = count == 0 ? Matrix(Matrix::Identity(motions(), motions())) : nullSpace(rows.topRows(count), kDependentRows);
-  return across == 0 || free.cols() == 0 ? free : Matrix(free * nullSpace(springs.topRows(across) * free, kWeakSprings));
+  const Matrix free = nullSpaceOf(rows);
+  if (springs.empty() || free.cols() == 0) return free;
+  Matrix held(static_cast<Eigen::Index>(springs.size()), free.cols());
+  for (std::size_t r = 0; r < springs.size(); ++r) held.row(static_cast<Eigen::Index>(r)) = springs[r].transpose() * free;
+  return free * nullSpace(held, kWeakSprings);
 }
 
 bool RigidContact::loosens(const ClosedSet& closed) const { return motions() - static_cast<int>(loose(closed).cols()) < rank_; }
@@ -176,7 +216,7 @@ bool RigidContact::loosens(const ClosedSet& closed) const { return motions() - s
 std::vector<int> RigidContact::holders(const ClosedSet& closed, const Matrix& loose) const {
   std::vector<int> open;
   for (const int i : members(closed, 0))
-    if (pairs_.able[i]) open.push_back(i);
+    if (pairs_.canChange[i]) open.push_back(i);
   std::vector<int> chosen;
   if (loose.cols() == 0 || open.empty()) return chosen;
   // Pivoted Gram-Schmidt on the rows: each next row stops most of the remaining motion.
@@ -210,7 +250,7 @@ Vector RigidContact::settle(const ClosedSet& closed, const Vector& penetration, 
   Vector z = Vector::Zero(loose.cols());
   std::vector<int> open;
   for (const int i : members(closed, 0))
-    if (pairs_.able[i]) open.push_back(i);
+    if (pairs_.canChange[i]) open.push_back(i);
   if (loose.cols() == 0 || open.empty()) return z;
   const Vector w = penetration(open);
   if (!(w.maxCoeff() > 0.0)) return z;

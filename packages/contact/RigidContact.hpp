@@ -28,10 +28,11 @@ class RigidContact {
     Vector stiffness;       ///< stiffness of both sides in series at each pair, along its normal: 1 / k = sum n^2 / K_nn [force / length]
     std::vector<int> line;  ///< contact line of each pair; consecutive pairs of one line are neighbours
     std::vector<std::vector<int>> bodies;  ///< bodies of each pair; empty: all pairs belong together
-    std::vector<char> able;                ///< pairs that can change; the others have no free unknowns and zero rows
+    std::vector<char> canChange;           ///< pairs that can change; the others have no free unknowns and zero rows
     bool surfaces = false;                 ///< pairs of one line lie on a surface and are not ordered
     std::vector<Matrix> tangents = {};     ///< as `rows`, along each tangent; empty without friction
-    std::vector<char> bound = {};  ///< pairs that never open (ContactLaw::separates), not able; motions keep them closed. Empty: none
+    std::vector<char> bound =
+        {};  ///< pairs that never open (ContactLaw::separates), which cannot change; motions keep them closed. Empty: none
   };
 
   explicit RigidContact(Pairs pairs);
@@ -67,7 +68,7 @@ class RigidContact {
   /// True if a pair never opens.
   bool isBound(std::size_t pair) const { return !pairs_.bound.empty() && pairs_.bound[pair] != 0; }
   /// The same for pairs with friction: closed pairs hold along the normal, sticking ones along the tangents, and springs
-  /// (ContactState::across) along their direction.
+  /// (ContactState::transverseStiffness) along their direction.
   Matrix loose(const std::vector<ContactState>& states) const;
   /// True if a set leaves a motion free that all pairs together would stop.
   bool loosens(const ClosedSet& closed) const;
@@ -92,6 +93,10 @@ class RigidContact {
 
  private:
   void findComponents();
+  /// A row of the model: its motions and its effect on them.
+  using Entries = std::vector<std::pair<int, double>>;
+  void findEntries();
+  Matrix nullSpaceOf(const std::vector<const Entries*>& rows) const;
   Vector patchLengths(const ClosedSet& set) const;
   int bodies() const;
   Vector scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const;
@@ -101,9 +106,10 @@ class RigidContact {
   struct Component {
     std::vector<int> motions, pairs;
   };
-  std::vector<Component> components_;  // motions coupled by pads
-  double norm_ = 0.0;                  // norm of the work
-  int rank_ = 0;                       // number of motions that pairs can stop
+  std::vector<Component> components_;          // motions coupled by pads
+  std::vector<std::vector<Entries>> entries_;  // by component of the pair's frame, then by pair
+  double norm_ = 0.0;                          // norm of the work
+  int rank_ = 0;                               // number of motions that pairs can stop
 };
 
 }  // namespace suture

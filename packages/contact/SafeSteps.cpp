@@ -49,7 +49,7 @@ bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
   const int n = rigid_.pairs();
   ClosedSet penetrating(n, 0), support(n, 0);
   for (int i = 0; i < n; ++i) {
-    penetrating[i] = !from.closed[i] && rigid_.data().able[i] && from.penetration(i) > from.penetrationTolerance(i);
+    penetrating[i] = !from.closed[i] && rigid_.data().canChange[i] && from.penetration(i) > from.penetrationTolerance(i);
     support[i] = from.closed[i] && from.force(i) > 0.0;
   }
   ClosedSet entering = penetrating;

@@ -1,4 +1,5 @@
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/contact/Collapse.hpp>
 #include <suture/contact/PadProblem.hpp>
 #include <suture/contact/StateSearch.hpp>
 
@@ -26,6 +27,8 @@ constexpr double kStateHolds = 0.1;  // displacement along a tangent, relative t
 constexpr int kShortPatience = 3;    // steps without progress, from states of the pads
 constexpr int kShort = 7;            // maximum number of solves from there
 
+constexpr double kCollapsed = 1.02;  // friction multiple at a limit equilibrium above which no other states are tried
+
 struct Try {
   double tangential, softness;
   int times;
@@ -41,12 +44,13 @@ std::vector<FrictionCone> cones(const RigidContact& rigid, const LawProjection& 
 
 }  // namespace
 
-StateSearch::StateSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, FrictionOracle& oracle,
-                         int most)
+StateSearch::StateSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites,
+                         LinearContactSolver& solver, int most, const Vector& normal)
     : rigid_(rigid),
       laws_(laws),
-      oracle_(oracle),
-      projection_(rigid, laws, sites),
+      sites_(sites),
+      solver_(solver),
+      projection_(rigid, laws, sites, normal),
       pads_(rigid.data(), cones(rigid, projection_)),
       left_(most) {}
 
@@ -55,7 +59,7 @@ PairStates StateSearch::start() {
   t.col(0) = rigid_.data().penetration;
   const PadModel::Equilibrium pads = pads_.coulomb(t, rigid_.compliance());
   guess_ = pads.force.col(0);
-  return withHolders(padStates(pads));
+  return withStabilisingPairs(padStates(pads));
 }
 
 /// States that correspond to forces of the pads.
@@ -64,7 +68,7 @@ PairStates StateSearch::padStates(const PadModel::Equilibrium& pads) const {
   all.resize(static_cast<std::size_t>(rigid_.pairs()));
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (rigid_.isBound(i) && states_.empty()) all[i] = laws_.of(rigid_.data().line[i]).pressed();
-    if (!rigid_.data().able[i]) continue;
+    if (!rigid_.data().canChange[i]) continue;
     const auto at = static_cast<Eigen::Index>(i);
     Point force{0, 0, 0}, jump{0, 0, 0};
     for (int k = 0; k < 3; ++k) force[k] = pads.force(at, k), jump[k] = pads.trial(at, k) - pads.force(at, k);
@@ -75,6 +79,7 @@ PairStates StateSearch::padStates(const PadModel::Equilibrium& pads) const {
 
 /// States of the pads near a solution; they always hold the bodies. False if the pads have no equilibrium.
 bool StateSearch::fromPads(const Balance& at, double softness, PairStates& found) const {
+  if (at.force.size() == 0) return false;
   const Vector compliance = softness * rigid_.compliance();
   const PadModel::Equilibrium pads =
       pads_.coulomb(compliance.asDiagonal() * at.force + at.jump, compliance, at.jump.rightCols(2).rowwise().norm());
@@ -90,7 +95,7 @@ bool StateSearch::isNeutral(const PairStates& next, const Matrix& free) const {
   if (at_.force.size() > 0) size = std::max(size, at_.force.cwiseAbs().maxCoeff());
   if ((free.transpose() * data.work).cwiseAbs().maxCoeff() > kStateNoWork * size) return false;
   for (std::size_t i = 0; i < next.size(); ++i) {
-    if (!data.able[i] || next[i].status != PairStatus::Slip || !projection_.rubs(i)) continue;
+    if (!data.canChange[i] || next[i].status != PairStatus::Slip || !projection_.rubs(i)) continue;
     for (const Matrix& tangent : data.tangents)
       if ((tangent.row(static_cast<Eigen::Index>(i)) * free).norm() > kDependentRows) return false;
   }
@@ -106,7 +111,8 @@ void StateSearch::holdBySprings(PairStates& next, Matrix free) const {
     std::size_t best = next.size();
     Matrix bestWay;
     for (std::size_t i = 0; i < next.size(); ++i) {
-      if (!data.able[i] || next[i].closed() || next[i].across > 0.0 || !projection_.rubs(i) || !(projection_.tangentialStiffness(i) > 0.0))
+      if (!data.canChange[i] || next[i].closed() || next[i].transverseStiffness > 0.0 || !projection_.rubs(i) ||
+          !(projection_.tangentialStiffness(i) > 0.0))
         continue;
       Matrix way(static_cast<Eigen::Index>(data.tangents.size()), free.cols());
       for (Eigen::Index k = 0; k < way.rows(); ++k)
@@ -118,7 +124,7 @@ void StateSearch::holdBySprings(PairStates& next, Matrix free) const {
     const Vector along = axes.vectors.rightCols(1);
     ContactState& state = next[best];
     state.direction = {0.0, along.size() == 2 ? along(1) : 0.0, -along(0)};  // acrossSlip() is the tangent
-    state.across = projection_.tangentialStiffness(best);
+    state.transverseStiffness = projection_.tangentialStiffness(best);
     free = (free * nullSpace(along.transpose() * bestWay, kDependentRows)).eval();
   }
 }
@@ -133,7 +139,7 @@ bool StateSearch::differs(const PairStates& next) const {
 /// Adds springs to open pairs if a free motion is neutral; otherwise lets open or sliding pairs stick until no motion is free. Linear
 /// problems are thus never singular. Pairs whose force then exceeds their law are violated like others, and in the next call other pairs
 /// are preferred.
-PairStates StateSearch::withHolders(PairStates next) const {
+PairStates StateSearch::withStabilisingPairs(PairStates next) const {
   std::vector<char> inVain(next.size(), 0);
   for (const int i : violated_) inVain[static_cast<std::size_t>(i)] = 1;
   const RigidContact::Pairs& data = rigid_.data();
@@ -148,7 +154,7 @@ PairStates StateSearch::withHolders(PairStates next) const {
     double most = kDependentRows;
     std::size_t best = next.size();
     for (std::size_t i = 0; i < next.size(); ++i) {
-      if (!data.able[i]) continue;
+      if (!data.canChange[i]) continue;
       const auto at = static_cast<Eigen::Index>(i);
       double size = next[i].closed() ? 0.0 : (data.rows.row(at) * free).norm();
       if (next[i].status != PairStatus::Stick && projection_.rubs(i))
@@ -161,7 +167,7 @@ PairStates StateSearch::withHolders(PairStates next) const {
     if (best == next.size()) break;
     next[best].status = projection_.rubs(best) ? PairStatus::Stick : PairStatus::Slip;
     next[best].direction = {0, 0, 0};
-    next[best].across = 0.0;
+    next[best].transverseStiffness = 0.0;
     const Matrix now = rigid_.loose(next);
     if (now.cols() >= free.cols()) break;
     free = now;
@@ -171,7 +177,7 @@ PairStates StateSearch::withHolders(PairStates next) const {
 
 /// Moves bodies that `next` leaves unconstrained rigidly along the excess of the loads over its forces, until the laws give states that
 /// hold them better; forces stay in equilibrium. False if there are none, or only states reached before.
-bool StateSearch::drag(const PairStates& next, PairStates& found) {
+bool StateSearch::advance(const PairStates& next, PairStates& found) {
   const RigidContact::Pairs& data = rigid_.data();
   const Matrix free = rigid_.loose(next);
   if (free.cols() == 0) return false;
@@ -181,7 +187,7 @@ bool StateSearch::drag(const PairStates& next, PairStates& found) {
     parts += forces.cwiseAbs();
   };
   for (std::size_t i = 0; i < next.size(); ++i) {
-    if (!data.able[i]) continue;
+    if (!data.canChange[i]) continue;
     const auto at = static_cast<Eigen::Index>(i);
     const ContactState& state = next[i];
     if (!state.closed()) add(at_.force(at, 0) * data.rows.row(at).transpose());
@@ -203,7 +209,7 @@ bool StateSearch::drag(const PairStates& next, PairStates& found) {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;  // displacements after which something may change
   for (std::size_t i = 0; i < next.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    if (!data.able[i] || !(way.row(at).norm() > kDependentRows)) continue;
+    if (!data.canChange[i] || !(way.row(at).norm() > kDependentRows)) continue;
     const double length = states_[i].closed() ? at_.force.row(at).norm() / data.stiffness(at) : std::abs(at_.jump(at, 0));
     if (length > 0.0) least = std::min(least, length);
     most = std::max(most, length);
@@ -211,7 +217,7 @@ bool StateSearch::drag(const PairStates& next, PairStates& found) {
   for (double length = kStateLeastWay * least; length <= kStateMostWay * most; length *= 2.0) {
     found = projection_.states(states_, at_.force, at_.jump + length * way);
     if (rigid_.loose(found).cols() >= free.cols()) continue;
-    found = withHolders(std::move(found));
+    found = withStabilisingPairs(std::move(found));
     if (std::find(met_.begin(), met_.end(), found) != met_.end()) continue;
     met_.push_back(found);
     return met_.size() <= kStateMeetings;
@@ -225,7 +231,7 @@ PairStates StateSearch::held(PairStates next) {
   if (rigid_.motions() == 0) return next;
   std::vector<Eigen::Matrix3d> active(next.size(), Eigen::Matrix3d::Zero());
   for (std::size_t i = 0; i < next.size(); ++i) {
-    if (!rigid_.data().able[i] || !next[i].closed()) continue;
+    if (!rigid_.data().canChange[i] || !next[i].closed()) continue;
     const ContactState& state = next[i];
     if (state.status == PairStatus::Stick && projection_.rubs(i))
       active[i].setIdentity();
@@ -233,19 +239,19 @@ PairStates StateSearch::held(PairStates next) {
       active[i].col(0) = Eigen::Vector3d(1.0, state.friction * state.direction[1], state.friction * state.direction[2]).normalized();
   }
   PairStates other;
-  if (drag(next, other)) return other;
+  if (advance(next, other)) return other;
   if (!pads_.balances(active) && fromPads(at_, 1.0, other)) {
-    other = withHolders(std::move(other));
+    other = withStabilisingPairs(std::move(other));
     if (other != states_) return other;
   }
-  return withHolders(std::move(next));
+  return withStabilisingPairs(std::move(next));
 }
 
 /// Solves for states_; `next` receives the states that the laws give. False if the solve failed.
 bool StateSearch::solve(PairStates& next, double& turns) {
   --left_;
   ++solves_;
-  FrictionAnswer answer = oracle_.solve(states_, tolerance_);
+  FrictionAnswer answer = solver_.solve(states_, tolerance_);
   if (!answer.solved) return false;
   answer_ = std::move(answer);
   next = projection_.believed(states_, answer_);
@@ -262,7 +268,7 @@ bool StateSearch::solve(PairStates& next, double& turns) {
 /// The accuracy of states is limited by the distance from the laws, and that of solves follows it. If only slip turns, a tenth of the turn
 /// is sufficient.
 void StateSearch::sharpen(double distance, double turns) {
-  const double last = oracle_.tightest(), between = std::max(last, std::sqrt(last * oracle_.loosest()));
+  const double last = solver_.tightest(), between = std::max(last, std::sqrt(last * solver_.loosest()));
   if (violated_.empty()) {
     tolerance_ = std::max(last, std::min(tolerance_, kStateSharper * turns * tolerance_));
     return;
@@ -301,7 +307,7 @@ bool StateSearch::step(PairStates& next) {
 
 /// Newton steps from states_ until the laws agree with a solution of the final accuracy.
 StateSearch::End StateSearch::newton(int most, int patience) {
-  const double last = oracle_.tightest();
+  const double last = solver_.tightest();
   int since = 0;
   isNew_ = true;
   best_.distance = std::numeric_limits<double>::infinity();
@@ -317,8 +323,9 @@ StateSearch::End StateSearch::newton(int most, int patience) {
         if (states_[i].status == PairStatus::Stick && next[i].status == PairStatus::Stick) states_[i] = next[i];
       if (tolerance_ <= last) return End::Settled;
       // The remaining Newton steps only turn directions: not all of them need be accurate.
-      const double between = std::max(last, std::sqrt(last * oracle_.loosest()));
-      const bool turning = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.across > 0.0; });
+      const double between = std::max(last, std::sqrt(last * solver_.loosest()));
+      const bool turning =
+          std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.transverseStiffness > 0.0; });
       tolerance_ = turning && tolerance_ > between ? between : last;
       ++left_, --k;
       isNew_ = true;
@@ -329,7 +336,7 @@ StateSearch::End StateSearch::newton(int most, int patience) {
     const double own = projection_.distance(states_, answer_.force, answer_.jump), before = tolerance_;
     if (isNew_) {
       at_ = {answer_.force, answer_.jump, own};
-      if (k == 1) first_ = at_;
+      if (k == 1 && (patience < kStatePatience || first_.force.size() == 0)) first_ = at_;
       isNew_ = false;
     } else {
       PairStates stepped = next;
@@ -351,13 +358,12 @@ StateSearch::End StateSearch::newton(int most, int patience) {
   return End::Stalled;
 }
 
-/// Motion in which the loads overcome the resistance of all pairs. The motion of the proof opens pairs because of the widths of their
-/// cones; the motion of a sliding body keeps closed pairs closed.
-Vector StateSearch::unbalanced() const {
+/// The motion of the proof opens pairs because of the widths of their cones; the motion of a sliding body keeps closed pairs closed.
+Vector StateSearch::unbalanced(const PairStates& states) const {
   const Vector motion = pads_.unbalanced();
   if (motion.size() == 0) return motion;
-  ClosedSet closed(states_.size(), 0);
-  for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = states_[i].closed() && rigid_.data().able[i];
+  ClosedSet closed(states.size(), 0);
+  for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = states[i].closed() && rigid_.data().canChange[i];
   const Matrix kept = rigid_.loose(closed);
   const Vector slides = kept * (kept.transpose() * motion);
   return slides.norm() > kDependentRows ? slides : motion;
@@ -366,7 +372,7 @@ Vector StateSearch::unbalanced() const {
 /// The first problem is a Tresca problem with bounds from the normal forces of the pads: as good an initial guess as Coulomb's law, and
 /// symmetric. The difference of its normal forces from those of the solution measures the contraction of the Tresca fixed point.
 void StateSearch::solveByGuess() {
-  const bool drags = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.drags(); });
+  const bool drags = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.couplesToNormal(); });
   if (guess_.size() == 0 || !drags || !goesOn()) return;
   const PairStates law = states_;
   for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -377,7 +383,7 @@ void StateSearch::solveByGuess() {
   double turns = 0.0;
   if (solve(next, turns)) {
     tresca_ = normalForces();
-    at_ = {answer_.force, answer_.jump, 0.0};
+    at_ = best_ = first_ = {answer_.force, answer_.jump, 0.0};
     states_ = held(projection_.states(law, answer_.force, answer_.jump));
   } else {
     states_ = law;
@@ -388,7 +394,7 @@ Vector StateSearch::normalForces() const { return answer_.force.col(0).cwiseMax(
 
 /// Contraction of the fixed point of Tresca problems; negative: unknown.
 double StateSearch::contraction() const {
-  const bool slips = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.drags(); });
+  const bool slips = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.couplesToNormal(); });
   if (!slips) return 0.0;  // no bound affects the solution
   if (tresca_.size() == 0) return -1.0;
   const Vector found = normalForces();
@@ -396,32 +402,61 @@ double StateSearch::contraction() const {
   return from > 0.0 ? (tresca_ - found).norm() / from : -1.0;
 }
 
-StateSearch::Result StateSearch::run(PairStates start) {
-  Result result;
-  result.states = states_ = withHolders(std::move(start));
-  result.slides = unbalanced();
-  if (result.slides.size() > 0) return result;
-  tolerance_ = oracle_.loosest();
-  solveByGuess();
-  End end = newton(std::numeric_limits<int>::max(), kStatePatience);
+/// All pairs closed; those whose laws restrict sliding stick.
+PairStates StateSearch::sticking() const {
+  PairStates all = states_;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (rigid_.data().canChange[i]) all[i] = projection_.rubs(i) ? PairStatus::Stick : PairStatus::Slip;
+  return all;
+}
+
+/// True if bodies slide as a whole beyond doubt: other states would need very different normal forces.
+bool StateSearch::collapses(Result& result) {
+  if (answer_.force.size() == 0) return false;
+  // Runs even if no solves are left for the search, because the reason of failure is worth them.
+  const Collapse::Result found = Collapse(rigid_, laws_, sites_, solver_).find(states_, normalForces(), Collapse::kSolves);
+  solves_ += found.solves;
+  left_ = std::max(0, left_ - found.solves);
+  result.slides = found.motion;
+  result.multiple = found.multiple;
+  return found.multiple > kCollapsed;
+}
+
+/// Newton from all pairs sticking, and then from states of the pads, with other constants.
+StateSearch::End StateSearch::restart(End end) {
   for (const Try& own : kTries) {
     projection_.setTangential(own.tangential);
-    for (int k = 0; k < own.times && end != End::Settled && goesOn() && answer_.force.size() > 0; ++k) {
-      const Balance from = k % 2 == 0 ? best_ : first_;
-      PairStates next;
-      if (from.force.size() == 0 || !fromPads(from, own.softness, next)) break;
-      states_ = withHolders(std::move(next));
-      tolerance_ = std::max(oracle_.tightest(), std::sqrt(oracle_.tightest() * oracle_.loosest()));
-      end = newton(kShort, kShortPatience);
+    for (int k = &own == kTries ? -1 : 0; k < own.times && end != End::Settled && goesOn(); ++k) {
+      PairStates next = sticking();
+      if (k >= 0 && !fromPads(k % 2 == 0 ? best_ : first_, own.softness, next)) break;
+      states_ = withStabilisingPairs(std::move(next));
+      tolerance_ = std::max(solver_.tightest(), std::sqrt(solver_.tightest() * solver_.loosest()));
+      end = k < 0 ? newton(std::numeric_limits<int>::max(), kStatePatience) : newton(kShort, kShortPatience);
     }
   }
+  return end;
+}
+
+StateSearch::Result StateSearch::run(PairStates start, bool isClose) {
+  Result result;
+  result.states = states_ = withStabilisingPairs(projection_.isFrozen() ? projection_.refrozen(std::move(start)) : std::move(start));
+  if (!projection_.isFrozen()) result.slides = unbalanced(states_);
+  if (result.slides.size() > 0) return result;
+  tolerance_ = isClose ? solver_.tightest() : solver_.loosest();
+  solveByGuess();
+  End end = newton(std::numeric_limits<int>::max(), kStatePatience);
+  if (end != End::Settled && (projection_.isFrozen() || !collapses(result))) end = restart(end);
   result.converged = end == End::Settled;
-  if (result.converged) result.contraction = contraction();
+  if (result.converged) {
+    result.slides.resize(0);
+    result.contraction = contraction();
+  }
   result.states = states_;
   for (ContactState& state : result.states)
     if (!state.closed()) state = PairStatus::Open;  // without springs
+  if (answer_.force.size() > 0) result.normal = normalForces();
   result.solves = solves_;
-  if (!result.converged && end != End::Failed) result.alternating = violated_;
+  if (!result.converged && end != End::Failed && result.slides.size() == 0) result.alternating = violated_;
   return result;
 }
 

@@ -10,14 +10,14 @@ class CondensedSets;
 
 /// Condensed Groups in terms of pair states with friction. Given states make the groups linear: sticking pairs are glued along their
 /// tangents too, slipping pairs carry the bound of a Tresca problem. Bounds do not depend on normal forces within a linear problem, so the
-/// condensed operator stays symmetric; Coulomb's law is the fixed point of such problems (FrictionOracle::drags).
+/// condensed operator stays symmetric; Coulomb's law is the fixed point of such problems (TrescaFixedPoint).
 class CondensedFriction : public FrictionStates {
  public:
   /// `problem`, with its groups already made, and `sets` must outlive it. Collective.
   CondensedFriction(const Comm& comm, const CondensedProblem& problem, const CondensedSets& sets);
 
   const ContactLaws& laws() const override;
-  bool drags() const override { return false; }
+  bool couplesToNormal() const override { return false; }
   ContactStates statusOf(const PairStates& pairs) const override;
   PairStates statesOf(const ContactStates& status) const override;
   PairValues valuesOf(const InterfaceState& state) const override;

@@ -31,7 +31,7 @@ struct Term {
 struct PairData {
   int pair, line;
   double gap, stiffness;
-  char able, bound;
+  char canChange, bound;
 };
 
 using TermKey = std::tuple<int, int, GlobalId>;  // pair, component, unknown
@@ -156,13 +156,13 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
   pairs.stiffness = Vector::Ones(count);
   pairs.line.assign(count, -1);
   pairs.surfaces = dimension_ == 3;
-  pairs.able.assign(count, 0);
+  pairs.canChange.assign(count, 0);
   pairs.bodies.resize(count);
   for (const auto& [id, pair] : own) {
     pairs.penetration(id) = -pair.gap;
     pairs.stiffness(id) = pair.stiffness;
     pairs.line[id] = pair.line;
-    pairs.able[id] = pair.able;
+    pairs.canChange[id] = pair.canChange;
     if (!pair.bound) continue;
     pairs.bound.resize(count, 0);
     pairs.bound[id] = 1;

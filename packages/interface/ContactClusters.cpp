@@ -74,7 +74,7 @@ int ContactClusters::rowOf(int pair, int component) const {
 ContactClusters::Row ContactClusters::withDrag(int row, const std::vector<ContactState>& status) const {
   Row result = rows_[row];
   const ContactState& state = status[result.pair];
-  if (result.component != 0 || !state.drags()) return result;
+  if (result.component != 0 || !state.couplesToNormal()) return result;
   for (int component = 1; component <= 2; ++component) {
     const int tangent = rowOf(result.pair, component);
     if (tangent < 0 || state.direction[component] == 0.0) continue;
@@ -153,7 +153,7 @@ std::vector<int> ContactClusters::closedRows(const std::vector<int>& cluster, co
 std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<ContactState>& status,
                                                           std::vector<InterfaceRelation>* test) const {
   std::vector<InterfaceRelation> all;
-  const bool drags = test && std::any_of(status.begin(), status.end(), [](const ContactState& state) { return state.drags(); });
+  const bool drags = test && std::any_of(status.begin(), status.end(), [](const ContactState& state) { return state.couplesToNormal(); });
   if (test) test->clear();
   for (const auto& cluster : clusters_) {
     Elimination trial, tested;
@@ -242,7 +242,7 @@ Vector ContactClusters::forces(const std::vector<ContactState>& status, const Ve
   for (const auto& cluster : clusters_) {
     const std::vector<int> closed = closedRows(cluster, status);
     if (closed.empty()) continue;
-    const bool drags = std::any_of(closed.begin(), closed.end(), [&](int row) { return status[rows_[row].pair].drags(); });
+    const bool drags = std::any_of(closed.begin(), closed.end(), [&](int row) { return status[rows_[row].pair].couplesToNormal(); });
     std::vector<Row> dragged;
     std::vector<const Row*> rows;
     if (drags) {

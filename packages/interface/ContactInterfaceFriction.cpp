@@ -57,9 +57,9 @@ void ContactInterfaceProblem::addSlipForces(const InterfaceState& state, const M
   const Vector gaps = clusters_->gaps(trace.col(0), movedRows(state));
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     const ContactState& own = state.status[0][i];
-    if (own.status == PairStatus::Stick || (own.bound == 0.0 && own.across == 0.0)) continue;
+    if (own.status == PairStatus::Stick || (own.bound == 0.0 && own.transverseStiffness == 0.0)) continue;
     const Point across = acrossSlip(own);
-    const double spring = own.across * dot(across, slipOf(i, gaps));
+    const double spring = own.transverseStiffness * dot(across, slipOf(i, gaps));
     for (int component = 1; component <= 2; ++component) {
       const int tangent = clusters_->rowOf(i, component);
       if (tangent < 0) continue;
@@ -73,14 +73,14 @@ void ContactInterfaceProblem::addSlipForces(const InterfaceState& state, const M
 std::shared_ptr<const FrictionTangent> ContactInterfaceProblem::tangentOf(const ContactStates& status,
                                                                           std::vector<InterfaceRelation> test) const {
   auto tangent = std::make_shared<FrictionTangent>();
-  for (const ContactState& state : status[0]) tangent->symmetric = tangent->symmetric && !state.drags();
+  for (const ContactState& state : status[0]) tangent->symmetric = tangent->symmetric && !state.couplesToNormal();
   tangent->test = std::move(test);
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     const ContactState& own = status[0][i];
-    if (!owned_[i] || own.across == 0.0) continue;
+    if (!owned_[i] || own.transverseStiffness == 0.0) continue;
     const Point across = acrossSlip(own);
     InterfaceSpring spring;
-    spring.stiffness = own.across;
+    spring.stiffness = own.transverseStiffness;
     for (int component = 1; component <= 2; ++component)
       if (const int tangentRow = clusters_->rowOf(i, component); tangentRow >= 0) {
         const ContactClusters::Row& row = clusters_->row(tangentRow);
@@ -101,13 +101,13 @@ void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, cons
   Matrix springs(static_cast<Eigen::Index>(states.size()), bodies_->rigid().motions());
   Eigen::Index count = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (!(states[i].across > 0.0)) continue;
+    if (!(states[i].transverseStiffness > 0.0)) continue;
     const Point across = acrossSlip(states[i]);
     const auto at = static_cast<Eigen::Index>(i);
-    springs.row(count) = std::sqrt(states[i].across) * across[1] * data.tangents[0].row(at);
-    if (data.tangents.size() == 2) springs.row(count) += std::sqrt(states[i].across) * across[2] * data.tangents[1].row(at);
+    springs.row(count) = std::sqrt(states[i].transverseStiffness) * across[1] * data.tangents[0].row(at);
+    if (data.tangents.size() == 2) springs.row(count) += std::sqrt(states[i].transverseStiffness) * across[2] * data.tangents[1].row(at);
     ++count;
-    states[i].across = 0.0;
+    states[i].transverseStiffness = 0.0;
   }
   if (count == 0) return;
   const Matrix loose = bodies_->rigid().loose(states);

@@ -2,7 +2,8 @@
 #include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/constraints/Constraints.hpp>
-#include <suture/contact/FrictionSearch.hpp>
+#include <suture/constraints/ContactLaw.hpp>
+#include <suture/contact/LinearContactSolver.hpp>
 #include <suture/interface/ContactBodies.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
 
@@ -90,7 +91,7 @@ struct PairValues {
   int applications = 0;
 };
 
-/// Contact states pair by pair, for laws that restrict sliding: the interface between a formulation and FrictionSearch. By pair id, the
+/// Contact states pair by pair, for laws that restrict sliding: the interface between a formulation and StateSearch. By pair id, the
 /// same on all ranks. Functions with a state are collective.
 class FrictionStates {
  public:
@@ -98,7 +99,7 @@ class FrictionStates {
   virtual const ContactLaws& laws() const = 0;
   /// False if friction of slipping pairs cannot depend on normal forces within a linear problem: bounds are then given, as in Tresca
   /// problems.
-  virtual bool drags() const { return true; }
+  virtual bool couplesToNormal() const { return true; }
   virtual ContactStates statusOf(const PairStates& pairs) const = 0;
   virtual PairStates statesOf(const ContactStates& status) const = 0;
   virtual PairValues valuesOf(const InterfaceState& state) const = 0;

@@ -9,7 +9,7 @@ Point PairForces::tangential(const ContactState& state) const {
   Point force{0, 0, 0};
   if (!state.closed()) return force;
   const Point across = acrossSlip(state);
-  const double spring = state.across * dot(across, slip);
+  const double spring = state.transverseStiffness * dot(across, slip);
   for (int component = 1; component <= 2; ++component)
     force[component] = state.holds(component)
                            ? held[component]
@@ -36,7 +36,7 @@ void putPair(const ContactState& state, const PairForces& pair, Matrix& all, Eig
 
 void putState(const ContactState& state, Matrix& all, Eigen::Index row) {
   all.row(row) << static_cast<double>(state.status), state.direction[0], state.direction[1], state.direction[2], state.bound,
-      state.friction, state.across;
+      state.friction, state.transverseStiffness;
 }
 
 PairStates statesFrom(const Matrix& rows) {
@@ -44,7 +44,7 @@ PairStates statesFrom(const Matrix& rows) {
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     states.emplace_back(static_cast<PairStatus>(static_cast<int>(rows(i, 0))), Point{rows(i, 1), rows(i, 2), rows(i, 3)}, rows(i, 4),
                         rows(i, 5));
-    states.back().across = rows(i, 6);
+    states.back().transverseStiffness = rows(i, 6);
   }
   return states;
 }

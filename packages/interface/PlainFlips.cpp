@@ -12,7 +12,7 @@ ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const C
   found.penetrationTolerance = rigid.compliance().cwiseProduct(found.forceTolerance) + digits;
   ClosedSet next = closed;
   for (std::size_t i = 0; i < closed.size(); ++i) {
-    if (!rigid.data().able[i]) continue;
+    if (!rigid.data().canChange[i]) continue;
     const auto pair = static_cast<Eigen::Index>(i);
     // The tolerance favours the current state of the pair.
     const ContactLaw& law = laws.of(rigid.data().line[i]);

@@ -6,11 +6,25 @@
 #include <suture/pairing/mortar/MortarPairs.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace suture {
 
 namespace {
+
+constexpr double kCoordinateDigits = 4e-15;  // round-off of a gap, a sum of some coordinates, relative to the largest coordinate
+
+/// Sets gaps that are round-off of the coordinates to zero: sides drawn in contact touch exactly, as in a mesh with matching nodes.
+void closeRoundedGaps(const Mesh& mesh, const ContactSurface& contact, std::vector<ContactPair>& pairs) {
+  if (contact.initialGap) return;
+  double largest = 0.0;
+  for (const ContactPair& pair : pairs)
+    for (const PairEnd& end : pair.ends)
+      for (const double coordinate : mesh.point(end.node)) largest = std::max(largest, std::abs(coordinate));
+  for (ContactPair& pair : pairs)
+    if (std::abs(pair.gap) <= kCoordinateDigits * largest) pair.gap = 0.0;
+}
 
 PairedSurface pairsOf(const Mesh& mesh, const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes) {
   using Coupling = ContactSurface::Coupling;
@@ -49,6 +63,7 @@ std::vector<std::vector<int>> trianglesAround(const std::vector<int>& pairs, int
 
 PairedSurface pairSurface(const Mesh& mesh, const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes) {
   PairedSurface all = pairsOf(mesh, contact, problems, notes);
+  closeRoundedGaps(mesh, contact, all.pairs);
   return mesh.axisymmetric ? withoutWeightless(all) : all;
 }
 

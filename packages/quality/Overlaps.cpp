@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kInside = 0.01;  // smallest depth, as a fraction of a side
 constexpr double kPassed = 0.5;   // fraction of a side by which sides of a contact have passed through each other
-constexpr double kSmooth = 0.8;   // distance between unit normals of adjacent sides from which there is a corner: 46 degrees
+constexpr double kSmooth = 0.8;   // distance between unit normals of adjacent sides from which there is a corner: 47 degrees
 constexpr double kSafe = 0.25;    // times the angle to the next side and the length: twice the distance between a side and its arc
 
 /// First number that both ascending lists contain; -1: none.

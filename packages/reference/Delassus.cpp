@@ -88,8 +88,8 @@ RigidContact Delassus::rigidContact() const {
   pairs.bodies = blocksOf_;
   pairs.surfaces = problem_.surfaces;
   for (int i = 0; i < rows_; ++i) {
-    pairs.able.push_back(!problem_.dofs[i].empty());
-    if (pairs.able[i]) pairs.stiffness[i] = pointCompliance / h_(i, i);
+    pairs.canChange.push_back(!problem_.dofs[i].empty());
+    if (pairs.canChange[i]) pairs.stiffness[i] = pointCompliance / h_(i, i);
     pairs.line.push_back(problem_.lines.empty() ? 0 : problem_.lines[i]);
   }
   return RigidContact(std::move(pairs));

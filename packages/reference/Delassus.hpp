@@ -19,8 +19,9 @@ class Delassus {
   double energy(const Vector& force, const Vector& place) const {
     return -0.5 * constant_ + 0.5 * gapless_.dot(force) - 0.5 * work_.dot(place);
   }
-  const Matrix& compliance() const { return h_; }   ///< H
-  const Vector& open() const { return gapless_; }   ///< h: C S^-1 f - g
+  const std::vector<int>& blocksOf(int row) const { return blocksOf_[static_cast<std::size_t>(row)]; }  ///< blocks of a row
+  const Matrix& compliance() const { return h_; }                                                       ///< H
+  const Vector& open() const { return gapless_; }                                                       ///< h: C S^-1 f - g
   const Matrix& motions() const { return g_; }      ///< C Z, with columns of Z of order one
   const Vector& work() const { return work_; }      ///< Z^T f
   const Matrix& kernel() const { return kernel_; }  ///< Z

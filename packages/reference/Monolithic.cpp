@@ -104,6 +104,11 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
     contact.lines.push_back(constraints.pairs[system.rows()[i].pair].line);
   }
   if (!lawsDecide(constraints, mesh.dimension)) return contact;
+  const Vector diagonal = system.stiffness().diagonal().tail(trailing);
+  contact.nodal = Vector::Zero(contact.bounds.size());
+  for (std::size_t i = 0; i < contact.dofs.size(); ++i)
+    for (std::size_t k = 0; k < contact.dofs[i].size(); ++k)
+      contact.nodal[Eigen::Index(i)] += contact.coefficients[i][k] * contact.coefficients[i][k] / diagonal[contact.dofs[i][k]];
   for (std::size_t i = 0; i < system.rows().size(); ++i) {
     const ContactPair& pair = constraints.pairs[system.rows()[i].pair];
     if (system.rows()[i].component == 0)

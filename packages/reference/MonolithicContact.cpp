@@ -28,7 +28,7 @@ class MonitoredProblem : public DelassusProblem {
     ActiveSetStep step;
     for (std::size_t i = 0; i < closed.size(); ++i) {
       const auto at = Eigen::Index(i);
-      if (!rigid_.data().able[i]) continue;
+      if (!rigid_.data().canChange[i]) continue;
       step.active += closed[i] != 0;
       const bool wrong =
           closed[i] ? answer.force[at] < -answer.forceTolerance[at] : answer.penetration[at] > answer.penetrationTolerance[at];
@@ -56,7 +56,7 @@ ContactSolution solveCondensedContact(const CondensedContact& problem, std::vect
   RigidContact rigid = delassus.rigidContact();
   MonitoredProblem oracle(rigid, delassus, problem, step);
   ClosedSet start = active;
-  for (std::size_t i = 0; i < start.size(); ++i) start[i] = start[i] && rigid.data().able[i];
+  for (std::size_t i = 0; i < start.size(); ++i) start[i] = start[i] && rigid.data().canChange[i];
   if (active.empty() || rigid.loosens(start)) start = rigid.start();
   const ContactSearch::Result found = ContactSearch(rigid, oracle, iterations).run(start);
 
@@ -68,7 +68,7 @@ ContactSolution solveCondensedContact(const CondensedContact& problem, std::vect
   result.active = found.closed;
   // Prescribed rows carry no force; they are active if they touch.
   for (std::size_t i = 0; i < result.active.size(); ++i)
-    if (!rigid.data().able[i]) result.active[i] = problem.bounds[Eigen::Index(i)] <= 0.0;
+    if (!rigid.data().canChange[i]) result.active[i] = problem.bounds[Eigen::Index(i)] <= 0.0;
   result.neutral = found.neutral;
   result.x = delassus.displacement(found.force, oracle.state().amplitude);
   return result;

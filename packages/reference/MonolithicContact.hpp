@@ -24,6 +24,7 @@ struct CondensedContact {
   Vector bounds;
   std::vector<int> lines{};  ///< contact line of each row, with successive rows of a line being neighbours; empty: a single line
   bool surfaces = false;     ///< rows of one line lie on a surface, unordered
+  Vector nodal{};  ///< compliance of each row's nodes, sum of coefficient^2 / K of the whole bodies; empty: from S [length / force]
 
   /// A contact pair, whose law governs its rows: the first is normal, the others are tangential.
   struct Pair {
@@ -42,8 +43,8 @@ struct CondensedContact {
 struct ActiveSetStep {
   int active = 0;
   int changed = 0;
-  double residual = 0.0;  ///< largest violation: penetration of an open pair, or tension of a closed one times its compliance; relative to
-                          ///< the size of the displacements
+  double residual = 0.0;  ///< largest violation: penetration of an open pair, or tension of a closed one times its compliance, relative to
+                          ///< the size of the displacements; with friction the distance from the laws, relative to the forces
   double energy = 0.0;    ///< x.S x / 2 - f.x of the step's solution
 };
 
@@ -56,7 +57,7 @@ struct ContactSolution {
   std::vector<ContactState> states{};  ///< states of the pairs; empty without friction
   Matrix neutral;                      ///< combinations of kernel columns that change no force: x is not determined there
   Vector slides{};                     ///< without equilibrium: motion in which the loads exceed friction; else empty
-  double contraction = 0.0;            ///< ratio of successive changes of bounds in the fixed point of Tresca problems; 0: not needed
+  double contraction = 0.0;            ///< estimated contraction of the fixed point of Tresca problems; 0: unknown, or no pair slips
 };
 
 /// Exact solution by an active set on the compliance of the rows (Delassus matrix), H = C S^-1 C^T with the kernel as free unknowns a:

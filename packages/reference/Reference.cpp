@@ -53,8 +53,8 @@ constexpr const char* kName = "Monolithic";
 
 Schema Reference::schema() {
   return Schema(
-             "The whole system on one rank, by one factorisation with the contact unknowns last and an active set; for small scenes and as "
-             "a reference.")
+             "The whole system on one rank, by one factorisation with the contact unknowns last, and the same search for contact states as "
+             "the other methods; for small scenes and for comparison.")
       .oneOf("Ordering", "Automatic", {"AMD", "Automatic", "METIS"},
              "Order of the unknowns that are not in contact: METIS gives less fill than AMD but takes longer. Automatic: METIS in 3D.");
 }

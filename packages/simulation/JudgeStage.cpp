@@ -19,6 +19,10 @@
 
 namespace suture {
 
+namespace {
+constexpr std::size_t kNotes = 3;  // groups of contacts with undetermined forces that are named on the console
+}  // namespace
+
 bool wantsErrorEstimate(const Parameters& settings) {
   return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings);
 }
@@ -29,7 +33,11 @@ void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const s
                    Solution& solution, Monitor& monitor) {
   if (solution.converged) settleNeutralMotions(comm, meshes, scene.model, scene.laws, solution);
   if (solution.converged) settleContactForces(comm, meshes, scene.laws, scene.contacts, solution);
-  for (const UndeterminedForces& forces : solution.sharedForces) monitor.note(inWords(forces));
+  const std::size_t shared = solution.sharedForces.size();
+  for (std::size_t i = 0; i < std::min(shared, kNotes); ++i) monitor.note(inWords(solution.sharedForces[i]));
+  if (shared > kNotes)
+    monitor.note("the forces of " + std::to_string(shared - kNotes) +
+                 " more groups of contacts are not determined: undetermined_forces in summary.json lists them");
   if (comm.getRank() == 0) solution.onAxis = axisResults(pieces, solution.pairs);
   for (const NeutralMotion& motion : solution.neutral) monitor.note(inWords(motion));
   if (scene.settings().sublist("Outer Solver").get<std::string>("Neutral Motions") != "Least")

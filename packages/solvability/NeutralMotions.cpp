@@ -112,7 +112,7 @@ class Least {
     std::vector<int> open;
     const RigidContact::Pairs& data = bodies_.rigid().data();
     for (int i = 0; i < bodies_.rigid().pairs(); ++i)
-      if (data.able[i] && !carrying[i] && !(data.rows.row(i) * motions_).isZero(kNoMotion)) open.push_back(i);
+      if (data.canChange[i] && !carrying[i] && !(data.rows.row(i) * motions_).isZero(kNoMotion)) open.push_back(i);
     const Matrix rows = data.rows(open, Eigen::all) * motions_;
     const Matrix g = -lower.triangularView<Eigen::Lower>().solve(rows.transpose()).transpose();
     const Vector room = Vector(pairs.gap(open)).cwiseMax(0.0);
@@ -188,7 +188,8 @@ std::vector<ContactState> broadcastStates(const Comm& comm, const std::vector<Pa
     for (const PairResult& pair : pairs) {
       if (pair.id >= count) continue;
       ContactState& state = states[std::size_t(pair.id)] = pair.state;
-      if (state.status == PairStatus::Slip && state.across == 0.0 && norm(pair.tangential) > 0.0) state.across = 1.0;
+      if (state.status == PairStatus::Slip && state.transverseStiffness == 0.0 && norm(pair.tangential) > 0.0)
+        state.transverseStiffness = 1.0;
     }
   broadcast(comm, states);
   return states;

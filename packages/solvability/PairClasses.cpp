@@ -101,7 +101,7 @@ PairClasses classify(const ContactBodies& bodies, const PairsAtSolution& pairs, 
   PairClasses classes{ClosedSet(count, 0), ClosedSet(count, 0), ClosedSet(count, 0)};
   for (int i = 0; i < count; ++i) {
     if (bodies.rigid().isBound(static_cast<std::size_t>(i))) classes.carrying[i] = 1;  // pairs that never open hold at any force
-    if (!data.able[i]) continue;
+    if (!data.canChange[i]) continue;
     double least = 0.0, moved = 0.0, none = 0.0;
     for (const int part : data.bodies[i]) {
       none = std::max(none, rounding[part]);

@@ -1,10 +1,8 @@
 #include <suture/algebra/DisjointSets.hpp>
+#include <suture/algebra/SparseNullSpace.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/solvability/SharedForces.hpp>
-
-#include <Eigen/SparseCore>
-#include <Eigen/SparseQR>
 
 #include <algorithm>
 #include <map>
@@ -17,41 +15,20 @@ constexpr double kRemainder = 1e-10;  // fraction of the largest column that rem
 constexpr double kNoPart = 1e-9;      // amplitude, relative to the largest of a combination, that counts as zero
 constexpr int kCuts = 100;  // maximum number of rounds of half spaces; those of a cone in 3D converge quadratically, in 2D each is exact
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
-/// Basis (columns) of the combinations of columns that vanish: not orthonormal, mostly sparse.
-Matrix vanishing(const SparseMatrix& matrix) {
-  double largest = 0.0;
-  for (int k = 0; k < matrix.outerSize(); ++k) largest = std::max(largest, matrix.col(k).norm());
-  const int count = static_cast<int>(matrix.cols());
-  if (largest == 0.0) return Matrix::Identity(count, count);
-  Eigen::SparseQR<SparseMatrix, Eigen::COLAMDOrdering<int>> qr;
-  qr.setPivotThreshold(kRemainder * largest);
-  qr.compute(matrix);
-  const int rank = static_cast<int>(qr.rank()), left = count - rank;
-  if (left == 0) return Matrix(count, 0);
-  const SparseMatrix upper = qr.matrixR();
-  Matrix all = Matrix::Zero(count, left);
-  const Matrix rest = Matrix(upper.rightCols(left)).topRows(rank);
-  all.topRows(rank) = -SparseMatrix(upper.topLeftCorner(rank, rank)).triangularView<Eigen::Upper>().solve(rest);
-  all.bottomRows(left).setIdentity();
-  return qr.colsPermutation() * all;
-}
-
 }  // namespace
 
 std::vector<SharedForces> sharedForces(const std::vector<ForceColumn>& columns) {
   std::map<GlobalId, int> rows;
-  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Eigen::Triplet<double, int>> entries;
   const int count = static_cast<int>(columns.size());
   for (int k = 0; k < count; ++k)
     for (const auto& [unknown, value] : columns[k].entries)
       entries.emplace_back(rows.emplace(unknown, static_cast<int>(rows.size())).first->second, k, value);
-  // The decomposition needs at least as many rows as columns.
-  SparseMatrix matrix(std::max(static_cast<int>(rows.size()), count), count);
+  SparseMatrix matrix(static_cast<Eigen::Index>(rows.size()), count);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  matrix.makeCompressed();
-  Matrix all = vanishing(matrix);
+  double largest = 0.0;
+  for (int k = 0; k < count; ++k) largest = std::max(largest, matrix.col(k).norm());
+  Matrix all = sparseNullBasis(matrix, kRemainder * largest);
   if (all.cols() == 0) return {};
 
   std::map<int, int> first;  // first column of each pair

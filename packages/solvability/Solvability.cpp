@@ -1,6 +1,8 @@
+#include <suture/algebra/SparseNullSpace.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/contact/PadModel.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/pairing/PairFrame.hpp>
@@ -20,6 +22,8 @@ constexpr double noMotion = 1e-8;  // relative to a unit amplitude
 // Largest change of a gap, relative to the amplitude of the motion, that counts as zero: a round body that turns in its seat changes gaps
 // by the inaccuracy of mesh coordinates (normals of nodes that Gmsh puts on circles are accurate to 1e-8).
 constexpr double noOpening = 1e-6;
+constexpr int kDense = 60;          // motions up to which dense decompositions are faster than sparse ones
+constexpr double kBalanced = 1e-9;  // imbalance of pads, relative to the loads, at which they prove that contact holds all bodies
 
 // The simplest motion in a space of amplitudes (orthonormal columns): a translation if there is one, along an axis if possible.
 std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
@@ -110,12 +114,27 @@ Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const Conta
 /// Motions that keep all gaps: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed: no contact force balances
 /// loads along them.
 Matrix slidingMotions(Matrix& rows) {
+  if (rows.cols() > kDense) {
+    const Matrix sliding = sparseNullSpace(rows.sparseView(), noOpening);
+    if (sliding.cols() > 0) rows -= (rows * sliding) * sliding.transpose();
+    return sliding;
+  }
   const SingularValues svd = singularValues(rows);
   Eigen::Index held = std::min(rows.rows(), rows.cols());
   while (held > 0 && (rows * svd.v.col(held - 1)).lpNorm<Eigen::Infinity>() <= noOpening) --held;
   const Matrix sliding = svd.v.rightCols(rows.cols() - held);
   rows -= rows * sliding * sliding.transpose();
   return sliding;
+}
+
+/// Forces p >= 0 with the least remainder of rows^T p = work. Many bodies: forces of elastic pads, which cost less, if they balance the
+/// loads.
+Vector balancingForces(const Matrix& rows, const Vector& work) {
+  if (rows.cols() > kDense) {
+    const PadModel::Equilibrium pads = PadModel::unilateral(rows, work, Vector::Zero(rows.rows()), Vector::Ones(rows.rows()));
+    if (pads.found && (rows.transpose() * pads.force.col(0) - work).norm() <= kBalanced * work.norm()) return pads.force.col(0);
+  }
+  return nonnegativeLeastSquares(rows.transpose(), work);
 }
 
 void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
@@ -198,7 +217,7 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
   const Matrix sliding = slidingMotions(rows);
   const double loads = force.sum();
   if (loads > 0) {
-    const Vector contact = nonnegativeLeastSquares(rows.transpose(), work / loads);
+    const Vector contact = balancingForces(rows, work / loads);
     const Vector escape = work / loads - rows.transpose() * contact;
     for (std::size_t p = 0; p < generators.pair.size(); ++p)
       for (const PairEnd& end : constraints.pairs[generators.pair[p]].ends)

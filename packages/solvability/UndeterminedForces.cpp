@@ -127,7 +127,7 @@ class ClosedPairs {
         ForceColumn column{pair.id, {}};
         Point direction = frame[k];
         add(row.equations[k], unit, column);
-        if (k == 0 && state.drags())
+        if (k == 0 && state.couplesToNormal())
           for (std::size_t t = 1; t < row.equations.size(); ++t) {
             const double part = state.friction * state.direction[t];
             add(row.equations[t], unit * part, column);
@@ -224,7 +224,7 @@ class ClosedPairs {
       return;
     }
     const ContactState& state = states_.at(place.pair);
-    if (state.drags())
+    if (state.couplesToNormal())
       for (std::size_t t = 1; t < frame.size(); ++t)
         pair.tangential = plus(pair.tangential, scaled((force - pair.force) * state.friction * state.direction[t], frame[t]));
     pair.force = force;

@@ -3,9 +3,8 @@
 
 namespace suture {
 
-/// Frictional contact by FrictionSearch, for the problem's FrictionStates. Without a given start it begins with a rough frictionless
-/// solution, if there is one, and a Tresca problem with its normal forces; otherwise with all pairs sticking that are pressed together by
-/// rigid bodies on pads with tangential stiffness. Collective.
+/// Frictional contact for the problem's FrictionStates: StateSearch, or TrescaFixedPoint if forces of slipping pairs cannot follow normal
+/// forces within a linear problem. Without a given start the first states are those of rigid bodies on pads. Collective.
 /// \param innerTolerance  of linear solves until the states no longer change
 void searchFriction(OuterSolver::Run& run, double innerTolerance);
 

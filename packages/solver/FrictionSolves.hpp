@@ -1,19 +1,19 @@
 #pragma once
-#include <suture/contact/FrictionSearch.hpp>
+#include <suture/contact/LinearContactSolver.hpp>
 #include <suture/solver/OuterSolver.hpp>
 
 namespace suture {
 
-/// Linear solver of FrictionSearch for given states of frictional contact on the interface: conjugate gradients for symmetric tangents
+/// Linear solver of StateSearch for given states of frictional contact on the interface: conjugate gradients for symmetric tangents
 /// (stick, Tresca), GMRES if tangential forces depend on normal ones (Coulomb), both with the symmetric preconditioner of the space.
 /// Tolerances are relative to the energy norm of the solution. Collective.
-class FrictionSolves : public FrictionOracle {
+class FrictionSolves : public LinearContactSolver {
  public:
   /// \param inner  tolerance of the loosest solves
   FrictionSolves(OuterSolver::Run& run, double inner);
 
   double loosest() const override { return inner_; }
-  bool drags() const override { return friction_.drags(); }
+  bool couplesToNormal() const override { return friction_.couplesToNormal(); }
   double tightest() const override { return run_.settings.tolerance; }
   FrictionAnswer solve(const PairStates& states, double tolerance) override;
   bool goesOn() override { return !run_.stopRequested(); }

@@ -20,11 +20,11 @@ constexpr double kKept =
 constexpr double kOverestimate = 2.0;  // overestimate of the energy norm of the solution above which a solve is resumed
 }  // namespace
 
-SetSolves::SetSolves(OuterSolver::Run& run, double inner, bool loose)
+SetSolves::SetSolves(OuterSolver::Run& run, double inner)
     : run_(run),
       sets_(*run.problem.sets()),
       inner_(std::max(inner, run.settings.tolerance)),
-      levels_(loose ? 1 : kFinal + 1),
+      levels_(kFinal + 1),
       step_(run.problem.space()->vector()) {
   largest_ = found_ = sets_.bodies().carriedEnergy();
   if (!run.fromAuxiliary) return;

@@ -15,8 +15,8 @@ namespace suture {
 /// body.
 class SetSolves : public ContactOracle {
  public:
-  /// \param inner  tolerance of the loosest solves;  \param loose  only these: the answer is a start for another method
-  SetSolves(OuterSolver::Run& run, double inner, bool loose = false);
+  /// \param inner  tolerance of the loosest solves
+  SetSolves(OuterSolver::Run& run, double inner);
 
   /// Evaluates the given start of a run; run.done() is true if it is the solution.
   void evaluateStart();

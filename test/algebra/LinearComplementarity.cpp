@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/DenseAlgebra.hpp>
-#include <suture/algebra/dense/LinearComplementarity.hpp>
+#include <support/LinearComplementarity.hpp>
 
 #include <random>
 

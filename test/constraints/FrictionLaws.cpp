@@ -94,10 +94,10 @@ TEUCHOS_UNIT_TEST(FrictionLaws, TakeBoundsAndCoefficientsFromExpressions) {
   const ContactState bounded = tresca->project(trial, {}), rubs = coulomb->project(trial, {});
   TEST_FLOATING_EQUALITY(bounded.largest(2.0), 0.25 * 28.0, 1e-15);
   TEST_FLOATING_EQUALITY(bounded.largest(1e6), 0.25 * 28.0, 1e-15);  // for any pressure
-  TEST_ASSERT(!bounded.drags());
+  TEST_ASSERT(!bounded.couplesToNormal());
   TEST_FLOATING_EQUALITY(rubs.largest(2.0), 0.25 * 9.0 + 0.5 * 2.0, 1e-15);
   TEST_FLOATING_EQUALITY(rubs.largest(-2.0), 0.25 * 9.0, 1e-15);
-  TEST_ASSERT(rubs.drags());
+  TEST_ASSERT(rubs.couplesToNormal());
   for (const auto* law : {tresca.get(), coulomb.get()})
     for (const int dimension : {2, 3}) TEST_EQUALITY(law->rows(dimension), dimension);
 }

@@ -2,6 +2,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/contact/Collapse.hpp>
+#include <suture/contact/StateSearch.hpp>
 
 namespace suture {
 namespace {
@@ -89,8 +90,8 @@ TEUCHOS_UNIT_TEST(Collapse, IsNamedByTheSearch) {
     for (int i = 0; i < body.nodes; ++i) body.load(2 * i + 1) = 0.8;
     const double mu = leastFriction(body) / (trial % 2 == 0 ? 1.1 : 0.9);
     body.begin({dry(0.0, mu)}, std::vector<int>(body.nodes, 0));
-    FrictionSearch search(*body.rigid, body.laws, body.sites, body, 200);
-    const FrictionSearch::Result found = search.run(body.all(PairStatus::Stick));
+    StateSearch search(*body.rigid, body.laws, body.sites, body, 200);
+    const StateSearch::Result found = search.run(body.all(PairStatus::Stick));
     TEST_EQUALITY(found.converged, trial % 2 == 1);
     TEST_EQUALITY(found.slides.size() > 0, trial % 2 == 0);
     TEST_COMPARE(found.solves, <, 100);

@@ -1,7 +1,8 @@
 #pragma once
 #include <support/DenseAlgebra.hpp>
 #include <support/DryLaw.hpp>
-#include <suture/contact/FrictionSearch.hpp>
+#include <suture/contact/LinearContactSolver.hpp>
+#include <suture/contact/RigidContact.hpp>
 
 #include <cmath>
 #include <memory>
@@ -12,7 +13,7 @@ namespace suture {
 using SearchLaw = std::shared_ptr<const ContactLaw>;
 
 /// Nodes of one body before a rigid ground, condensed to them: K u + f = load, u_n <= gap. Components of a node: normal, tangents.
-struct CondensedBody : FrictionOracle {
+struct CondensedBody : LinearContactSolver {
   int dimension, nodes;
   Matrix stiffness, kernel;
   Vector load, gap;
@@ -59,7 +60,7 @@ struct CondensedBody : FrictionOracle {
     pairs.stiffness = Vector::Ones(nodes);
     pairs.line = line;
     pairs.bodies.assign(nodes, {0});
-    pairs.able.assign(nodes, 1);
+    pairs.canChange.assign(nodes, 1);
     pairs.bound.assign(nodes, 0);
     pairs.surfaces = dimension == 3;
     for (int i = 0; i < nodes; ++i) {
@@ -68,7 +69,7 @@ struct CondensedBody : FrictionOracle {
       pairs.stiffness(i) = stiffness(dimension * i, dimension * i);
       sites.push_back({{0.1 * i, 0, 0}, 1.0, stiffness(dimension * i + 1, dimension * i + 1)});
       if (laws.of(line[i]).separates()) continue;
-      pairs.able[i] = 0;
+      pairs.canChange[i] = 0;
       pairs.bound[i] = 1;
     }
     rigid = std::make_unique<RigidContact>(std::move(pairs));
@@ -107,7 +108,7 @@ struct CondensedBody : FrictionOracle {
           b(n + row) = state.bound * state.direction[k];
         }
         const Point across{0.0, -state.direction[2], state.direction[1]};
-        for (int j = 1; j < dimension; ++j) a(n + row, dimension * i + j) -= state.across * across[k] * across[j];
+        for (int j = 1; j < dimension; ++j) a(n + row, dimension * i + j) -= state.transverseStiffness * across[k] * across[j];
       }
     }
     FrictionAnswer answer;

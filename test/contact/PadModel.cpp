@@ -20,7 +20,7 @@ struct Block {
     pairs.penetration = Vector::Zero(corners);
     pairs.stiffness = Vector::Ones(corners);
     pairs.line.assign(corners, 0);
-    pairs.able.assign(corners, 1);
+    pairs.canChange.assign(corners, 1);
     for (int i = 0; i < corners; ++i) {
       const double x = i % 2 == 0 ? -1.0 : 1.0, y = dimension == 2 ? 0.0 : i < 2 ? -1.0 : 1.0;
       // Motions: along the normal and the tangents; rotations. Penetration grows where the block moves down.
@@ -104,6 +104,35 @@ TEUCHOS_UNIT_TEST(PadModel, BalancesTheLoadsByForcesOfTheLaw) {
   TEST_COMPARE(slips, >, 20);
   // The fixed-point iteration may be cut short: its states are a guess.
   TEST_COMPARE(near, >, 9 * all / 10);
+}
+
+// A wedge in a V-groove of right angle, before it touches: the bounds of pairs without normal force would hold it where it is. It falls
+// until both sides touch, and only then do bounds act: statics gives normal forces load / sqrt 2 without them, and less with them.
+TEUCHOS_UNIT_TEST(PadModel, OpenPadsHoldNothing) {
+  RigidContact::Pairs groove;
+  groove.rows = Matrix::Constant(2, 2, std::sqrt(0.5));
+  groove.tangents.assign(1, Matrix::Constant(2, 2, std::sqrt(0.5)));
+  groove.rows(1, 1) *= -1.0;
+  groove.tangents[0](0, 1) *= -1.0;
+  groove.work = Vector::Unit(2, 0);
+  groove.penetration = Vector::Constant(2, -5.0);
+  groove.stiffness = Vector::Ones(2);
+  groove.line = {0, 1};
+  groove.canChange.assign(2, 1);
+  const double bound = 0.8;  // one of them holds the wedge
+  Matrix t = Matrix::Zero(2, 3);
+  t.col(0) = groove.penetration;
+  const PadModel model(groove, std::vector<FrictionCone>(2, {bound, 0.0}));
+  const PadModel::Equilibrium hanging = model.associated(t, Vector::Ones(2)), found = model.coulomb(t, Vector::Ones(2));
+  TEST_ASSERT(hanging.found);
+  TEST_ASSERT(found.found);
+  TEST_COMPARE(hanging.force.col(0).norm(), <, 1e-6);
+  for (int i = 0; i < 2; ++i) {
+    TEST_COMPARE(found.force(i, 0), >, 0.0);
+    TEST_COMPARE(std::abs(found.force(i, 1)), <=, bound + 1e-12);
+  }
+  Vector work = groove.rows.transpose() * found.force.col(0) + groove.tangents[0].transpose() * found.force.col(1);
+  TEST_COMPARE((work - groove.work).norm(), <, 1e-8);
 }
 
 }  // namespace

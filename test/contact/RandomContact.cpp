@@ -26,7 +26,7 @@ RandomContact::RandomContact(unsigned seed) {
   pairs.penetration = open;
   pairs.stiffness = 2.0 * compliance.diagonal().cwiseInverse();
   pairs.line.assign(n, 0);
-  pairs.able.assign(n, 1);
+  pairs.canChange.assign(n, 1);
 }
 
 }  // namespace suture

@@ -14,7 +14,7 @@ RigidContact::Pairs onLines(const Matrix& rows, const Vector& work, const Vector
   pairs.penetration = penetration;
   pairs.stiffness = Vector::Ones(rows.rows());
   for (int i = 0; i < rows.rows(); ++i) pairs.line.push_back(i);
-  pairs.able.assign(rows.rows(), 1);
+  pairs.canChange.assign(rows.rows(), 1);
   return pairs;
 }
 
@@ -54,7 +54,7 @@ TEUCHOS_UNIT_TEST(RigidContact, RefusesLoadsThatPushABodyAway) {
   pairs.penetration = Vector::Constant(2, -0.1);
   pairs.stiffness = Vector::Ones(2);
   pairs.line = {0, 0};
-  pairs.able = {1, 1};
+  pairs.canChange = {1, 1};
   RigidContact rigid(pairs);
   TEST_THROW(rigid.start(), NumericalError);
   TEST_EQUALITY(rigid.staticForces().size(), 0);
@@ -67,7 +67,7 @@ TEUCHOS_UNIT_TEST(RigidContact, NeutralMotionsAreThoseThatTouchingPairsDoNotStop
   pairs.penetration = Vector::Zero(3);
   pairs.stiffness = Vector::Ones(3);
   pairs.line = {0, 1, 2};
-  pairs.able = {1, 1, 1};
+  pairs.canChange = {1, 1, 1};
   const RigidContact rigid(pairs);
   TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 0, 0}).cols(), 1);
   TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 1, 0}).cols(), 1);  // away from the one that touches
@@ -173,6 +173,76 @@ TEUCHOS_UNIT_TEST(RigidContact, PadsOnASurfaceDoNotDependOnTheOrderOfPairs) {
     TEST_FLOATING_EQUALITY(rigid.compliance().maxCoeff(), 0.9 * std::sqrt(closed), 0.1);
   }
   TEST_ASSERT(sets[0] == sets[1]);
+}
+
+// A column of bodies: each pad carries the weight of all bodies above it, whatever the gaps. More bodies than the dense model is used for.
+TEUCHOS_UNIT_TEST(RigidContact, CarriesAColumnOfManyBodies) {
+  for (const int bodies : {10, 59, 61, 150}) {
+    Matrix rows = Matrix::Zero(bodies, bodies);
+    Vector gaps(bodies);
+    for (int i = 0; i < bodies; ++i) {
+      rows(i, i) = 1.0;
+      if (i > 0) rows(i, i - 1) = -1.0;
+      gaps(i) = 0.01 * ((7 * i) % 5 - 1);
+    }
+    RigidContact rigid(onLines(rows, Vector::Ones(bodies), -gaps));
+    const RigidContact::Equilibrium found = rigid.project(-gaps);
+    TEST_ASSERT(found.found);
+    for (int i = 0; i < bodies; ++i) TEST_FLOATING_EQUALITY(found.force(i), double(bodies - i), 1e-7);
+    double place = 0.0;  // each pad is compressed by its force times its compliance
+    for (int i = 0; i < bodies; ++i) {
+      place += gaps(i) + found.force(i) * rigid.compliance()(i);
+      TEST_FLOATING_EQUALITY(found.motion(i), place, 1e-7);
+    }
+    ClosedSet closed(bodies, 1);
+    TEST_EQUALITY(rigid.loose(closed).cols(), 0);
+    closed[bodies / 2] = 0;
+    const Matrix loose = rigid.loose(closed);
+    TEST_EQUALITY(loose.cols(), 1);
+    for (int i = 0; i < bodies; ++i)  // the bodies above the open pad move together
+      TEST_FLOATING_EQUALITY(std::abs(loose(i, 0)) + 1.0, 1.0 + (i < bodies / 2 ? 0.0 : 1.0 / std::sqrt(bodies - bodies / 2)), 1e-10);
+    // Pulled upwards, nothing holds the bodies.
+    TEST_ASSERT(!RigidContact(onLines(rows, -Vector::Ones(bodies), -gaps)).project(-gaps).found);
+  }
+}
+
+/// Rows of a block's corners on a plane: motions are three displacements and three rotations about the middle of its lower side.
+TEUCHOS_UNIT_TEST(RigidContact, StatesOfPairsLeaveTheMotionsThatTheyDoNotHold) {
+  RigidContact::Pairs pairs;
+  pairs.rows = Matrix::Zero(4, 6);
+  pairs.tangents.assign(2, Matrix::Zero(4, 6));
+  for (int i = 0; i < 4; ++i) {
+    const double x = i % 2 == 0 ? -1.0 : 1.0, y = i < 2 ? -1.0 : 1.0;
+    pairs.rows.row(i) << 0, 0, 1, y, -x, 0;
+    pairs.tangents[0].row(i) << 1, 0, 0, 0, 0, -y;
+    pairs.tangents[1].row(i) << 0, 1, 0, 0, 0, x;
+  }
+  pairs.work = Vector::Zero(6);
+  pairs.penetration = Vector::Zero(4);
+  pairs.stiffness = Vector::Ones(4);
+  pairs.line.assign(4, 0);
+  pairs.canChange.assign(4, 1);
+  pairs.surfaces = true;
+  const RigidContact rigid(pairs);
+  const ContactState open, slip(PairStatus::Slip, {0, 1, 0}, 1.0), stick(PairStatus::Stick);
+  ContactState guided(PairStatus::Slip, {0, 1, 0}, 1.0);
+  guided.transverseStiffness = 2.0;
+  const auto left = [&](const PairStates& states) { return int(rigid.loose(states).cols()); };
+  TEST_EQUALITY(left({open, open, open, open}), 6);
+  TEST_EQUALITY(left({slip, open, open, open}), 5);
+  TEST_EQUALITY(left({slip, slip, slip, slip}), 3);    // slides and spins
+  TEST_EQUALITY(left({stick, slip, slip, slip}), 1);   // spins about the one that sticks
+  TEST_EQUALITY(left({stick, stick, open, open}), 1);  // tilts about the edge
+  TEST_EQUALITY(left({stick, slip, stick, slip}), 0);
+  TEST_EQUALITY(left({guided, slip, slip, slip}), 2);
+  TEST_EQUALITY(left({guided, guided, slip, slip}), 1);
+  guided.transverseStiffness = 1e-5;  // a soft spring holds nothing
+  TEST_EQUALITY(left({guided, guided, slip, slip}), 3);
+  guided.transverseStiffness = 2.0;
+  const Vector along = rigid.loose(PairStates{guided, guided, guided, guided}).col(0);  // along the direction of slip
+  TEST_FLOATING_EQUALITY(std::abs(along(0)), 1.0, 1e-12);
+  const Vector spin = rigid.loose(PairStates{stick, slip, slip, slip}).col(0);  // the corner (-1, -1) stays where it is
+  TEST_COMPARE(std::abs(spin(0) + spin(5)) + std::abs(spin(1) - spin(5)) + std::abs(spin(2)), <, 1e-12);
 }
 
 }  // namespace

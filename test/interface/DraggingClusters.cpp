@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(DraggingClusters, TestRelationsSpanTheNullSpaceOfTheDraggedRow
             std::set<int> expressed, inTest;
             const Matrix t = columnsOf(clusters.relations(states, &test), given.unknowns, expressed);
             worst = std::max(worst, offNullSpace(t, holds) / (1.0 + t.norm()));
-            const bool any = std::any_of(states.begin(), states.end(), [](const ContactState& state) { return state.drags(); });
+            const bool any = std::any_of(states.begin(), states.end(), [](const ContactState& state) { return state.couplesToNormal(); });
             TEST_EQUALITY(test.empty(), !any);
             if (test.empty()) continue;
             ++dragged;

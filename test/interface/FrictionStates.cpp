@@ -32,7 +32,7 @@ PairStates randomStates(int pairs, int dimension, unsigned seed, bool drags) {
     } else {
       const Point direction = dimension == 2 ? Point{0, angle < M_PI ? 1.0 : -1.0, 0} : Point{0, std::cos(angle), std::sin(angle)};
       states.emplace_back(PairStatus::Slip, direction, 1e-3 * value(random), drags ? 0.4 * value(random) : 0.0);
-      if (dimension == 3) states.back().across = 0.05 * value(random);
+      if (dimension == 3) states.back().transverseStiffness = 0.05 * value(random);
     }
   }
   return states;
@@ -97,7 +97,7 @@ struct DenseFriction {
       }
       if (!slips) continue;
       const Vector across = along(p, {0, -state.direction[2], state.direction[1]});
-      result.stiffness += state.across * across * across.transpose();
+      result.stiffness += state.transverseStiffness * across * across.transpose();
       result.right -= state.bound * along(p, state.direction);
     }
     result.holds = result.drags = Matrix(Eigen::Index(holds.size()), s.rows());
@@ -121,7 +121,7 @@ void tangentIsPetrovGalerkin(const Scene& scene, bool coulomb, bool& success, Te
     one.problem.conform(state);
     state.memory.reset();
     const InterfaceProblem::Linearisation linear = one.problem.linearise(state);
-    const bool drags = std::any_of(states.begin(), states.end(), [](const ContactState& own) { return own.drags(); });
+    const bool drags = std::any_of(states.begin(), states.end(), [](const ContactState& own) { return own.couplesToNormal(); });
     TEST_EQUALITY(linear.matrix->symmetric(), !drags);
     const DenseSpace derived(*linear.matrix->space());
     const Matrix t = derived.gathered();
@@ -196,7 +196,7 @@ TEUCHOS_UNIT_TEST(FrictionStates, ForcesAndSlipsAreThoseOfTheSaddlePointProblem)
         for (int k = 1; k < dimension && own.status != PairStatus::Stick; ++k) jump(p, k) = reference.rows[p][k].dot(u);
         if (own.status != PairStatus::Slip) continue;
         const Point across{0, -own.direction[2], own.direction[1]};
-        const double spring = own.across * reference.along(p, across).dot(u);
+        const double spring = own.transverseStiffness * reference.along(p, across).dot(u);
         for (int k = 1; k < dimension; ++k) force(p, k) = (own.bound + own.friction * force(p, 0)) * own.direction[k] + spring * across[k];
       }
       TEST_COMPARE((values.force - force).norm(), <, 1e-8 * force.norm());

@@ -82,6 +82,23 @@ Point meanPlace(const Mesh& mesh, const ContactPair& pair, bool onA) {
   return mean;
 }
 
+// Gaps of touching sides are round-off of the coordinates wherever the scene is and however it is turned: they are zero. A drawn gap of a
+// billionth of the size is not round-off.
+TEUCHOS_UNIT_TEST(MortarInSpace, SidesThatTouchHaveNoGap) {
+  const Turned turned({1, 2, 3}, 0.7);
+  for (const Cell lower : {Cell::Hexahedron8, Cell::Hexahedron20})
+    for (const double gap : {0.0, 1e-9}) {
+      Mesh mesh = pairingtesting::facing(lower, 3, 2, Cell::Hexahedron8, 4, 3, gap);
+      moveAll(mesh, [&](const Point& p) { return turned({p[0] + 0.3, p[1] - 7.1, p[2] + 2.9}); });
+      const PairedSurface paired = pairsOf(mesh, mortar());
+      TEST_COMPARE(paired.pairs.size(), >, 10u);
+      for (const ContactPair& pair : paired.pairs) {
+        if (gap == 0.0) TEST_EQUALITY(pair.gap, 0.0);
+        if (gap > 0.0) TEST_FLOATING_EQUALITY(pair.gap, gap, 1e-4);
+      }
+    }
+}
+
 }  // namespace
 
 TEUCHOS_UNIT_TEST(MortarInSpace, PassesAConstantPressureOnBetweenAnyTwoMeshes) {

@@ -144,9 +144,8 @@ struct Counts {
   }
 };
 
-ContactSolution solved(const CondensedContact& problem, FrictionWay way = FrictionWay::Newton) {
-  return solveFriction(
-      problem, {}, 1000, [](const ActiveSetStep&) {}, way);
+ContactSolution solved(const CondensedContact& problem) {
+  return solveFriction(problem, {}, 1000, [](const ActiveSetStep&) {});
 }
 
 /// True if forces inside the cones of Coulomb's laws balance the loads of a loose body; rigid-body statics decides.
@@ -272,26 +271,6 @@ TEUCHOS_UNIT_TEST(MonolithicFriction, FulfilsTheConditionsOfRandomProblems) {
     TEST_COMPARE(counts.worst, <, 1e-9);
     TEST_COMPARE(std::min({counts.open, counts.slip, counts.stick}), >, 50);  // no state is rare
   }
-}
-
-TEUCHOS_UNIT_TEST(MonolithicFriction, TheFixedPointOfTrescaProblemsFindsTheSameSolution) {
-  std::mt19937 random(2);
-  for (const int dimension : {2, 3})
-    for (const FrictionWay way : {FrictionWay::FixedPoint, FrictionWay::FixedPointBlocks}) {
-      Counts counts;
-      int expected = 0;
-      for (int trial = 0; trial < 40; ++trial) {
-        const Random given(random, dimension, 3 + trial % 5, trial % 4 == 0, {dry(0, 0.3), dry(0, 0.1)});
-        if (trial % 4 == 0 && !canHold(given.problem)) continue;
-        ++expected;
-        const ContactSolution newton = solved(given.problem), other = solved(given.problem, way);
-        counts.add(given.problem, other);
-        if (other.converged) TEST_COMPARE((newton.force - other.force).norm(), <, 1e-8 * (1.0 + newton.force.norm()));
-      }
-      TEST_EQUALITY(counts.solved, expected);
-      TEST_COMPARE(counts.worst, <, 1e-8);
-      TEST_COMPARE(counts.contraction, <, 0.9);
-    }
 }
 
 TEUCHOS_UNIT_TEST(MonolithicFriction, RowsThatRepeatEachOtherShareTheirForce) {

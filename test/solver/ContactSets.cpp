@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(ContactSets, PairForcesAreReciprocal) {
     for (const double seed : {1.0, 2.0}) {
       Vector push = Vector::Zero(held.rigid().pairs());
       for (int i = 0; i < held.rigid().pairs(); ++i)
-        if (!held.closed[i] && held.rigid().data().able[i]) push(i) = 1e-3 * (1.0 + std::sin(seed * i));
+        if (!held.closed[i] && held.rigid().data().canChange[i]) push(i) = 1e-3 * (1.0 + std::sin(seed * i));
       const MultiVectorPtr right = held.sets.loadOf(push, held.state.status), x = linear.matrix->space()->vector();
       MultiVector r(*right, Teuchos::Copy), p(*right, Teuchos::Copy);
       double rho = dot(r, r);

@@ -108,7 +108,7 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   pairs.rows = Matrix::Zero(count, motions);
   pairs.penetration = Vector::Zero(count);
   pairs.line.assign(count, -1);
-  pairs.able.assign(count, 0);
+  pairs.canChange.assign(count, 0);
   pairs.bodies.resize(count);
   Vector compliance = Vector::Zero(count);
   for (const End& end : ends) {
@@ -119,7 +119,7 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
     pairs.rows.row(end.pair).segment(first[end.part], part.free.cols()) += felt.transpose() * part.free;
     compliance[end.pair] += 1.0 / end.young;
     pairs.line[end.pair] = end.line;
-    pairs.able[end.pair] = pairs.able[end.pair] || part.free.cols() > 0;
+    pairs.canChange[end.pair] = pairs.canChange[end.pair] || part.free.cols() > 0;
     std::vector<int>& bodies = pairs.bodies[end.pair];
     if (std::find(bodies.begin(), bodies.end(), end.part) == bodies.end()) bodies.push_back(end.part);
   }

@@ -1,5 +1,5 @@
+#include <support/LinearComplementarity.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
-#include <suture/algebra/dense/LinearComplementarity.hpp>
 
 #include <algorithm>
 #include <numeric>
