@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kTouching = 1e-12;    // penetration, relative to the size of the gaps, at which a pair touches
 constexpr double kNoWork = 1e-11;      // work of loads in a motion that counts as zero, relative to the sum of its parts
-constexpr double kWeakSprings = 1e-2;  // singular value of springs along tangents, relative to the pairs, below which they hold no motion
+constexpr double kWeakSprings = 1e-2;  // singular value of springs along tangents below which they hold no motion
 constexpr int kDense = 60;             // motions up to which dense decompositions are faster than sparse ones
 constexpr int kPatchRounds = 4;        // rounds of the fixed point of compliance and patch lengths
 // Centre of a disc with a force on each of n nodes at distance h: displacement 3.5 sqrt(n) / (pi E* h) (Boussinesq, sum of 1 / r). For two
@@ -189,25 +189,23 @@ Matrix RigidContact::loose(const ClosedSet& closed) const {
 Matrix RigidContact::loose(const std::vector<ContactState>& states) const {
   if (motions() == 0) return Matrix(0, 0);
   std::vector<const Entries*> rows;
-  std::vector<Vector> springs;
+  std::vector<std::size_t> springs;  // pairs
   for (std::size_t i = 0; i < states.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    const ContactState& state = states[i];
-    if (state.closed()) rows.push_back(&entries_[0][i]);
-    if (state.status == PairStatus::Stick) {
+    if (states[i].closed()) rows.push_back(&entries_[0][i]);
+    if (states[i].status == PairStatus::Stick)
       for (std::size_t c = 1; c < entries_.size(); ++c) rows.push_back(&entries_[c][i]);
-    } else if (state.transverseStiffness > 0.0 && !pairs_.tangents.empty()) {
-      const Point along = acrossSlip(state);
-      Vector spring = along[1] * pairs_.tangents[0].row(at).transpose();
-      if (pairs_.tangents.size() == 2) spring += along[2] * pairs_.tangents[1].row(at).transpose();
-      springs.push_back(std::min(1.0, std::sqrt(state.transverseStiffness / pairs_.stiffness(at))) *
-                        spring);  // a soft spring holds nothing
-    }
+    else if (states[i].transverseStiffness > 0.0 && !pairs_.tangents.empty())
+      springs.push_back(i);
   }
   const Matrix free = nullSpaceOf(rows);
   if (springs.empty() || free.cols() == 0) return free;
-  Matrix held(static_cast<Eigen::Index>(springs.size()), free.cols());
-  for (std::size_t r = 0; r < springs.size(); ++r) held.row(static_cast<Eigen::Index>(r)) = springs[r].transpose() * free;
+  Matrix held = Matrix::Zero(static_cast<Eigen::Index>(springs.size()), free.cols());
+  for (std::size_t r = 0; r < springs.size(); ++r) {
+    const Point along = acrossSlip(states[springs[r]]);
+    for (std::size_t c = 1; c < entries_.size(); ++c)
+      for (const auto& [motion, value] : entries_[c][springs[r]])
+        held.row(static_cast<Eigen::Index>(r)) += along[c] * value * free.row(motion);
+  }
   return free * nullSpace(held, kWeakSprings);
 }
 

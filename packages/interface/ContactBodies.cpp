@@ -172,7 +172,7 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
     const Eigen::Map<const Vector> row(term.amplitudes, amplitudes);
     const RigidPart& part = parts_[term.part];
     if (term.component > 0) {
-      pairs.tangents.resize(std::size_t(dimension_ - 1), Matrix::Zero(count, motions_));
+      if (pairs.tangents.empty()) pairs.tangents.assign(std::size_t(dimension_ - 1), Matrix::Zero(count, motions_));
       pairs.tangents[std::size_t(term.component - 1)].row(term.pair).segment(first_[term.part], part.free.cols()) +=
           row.transpose() * part.free;
       continue;

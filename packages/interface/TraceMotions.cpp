@@ -18,7 +18,7 @@ TraceMotions::TraceMotions(const InterfaceSpace& space, const ContactBodies& bod
   Eigen::Index most = 0;
   for (const RigidPart& part : bodies.parts()) most = std::max(most, part.free.cols());
   ofOwned_ = Matrix::Zero(static_cast<Eigen::Index>(partOfOwned.size()), most);
-  Matrix mine = Matrix::Zero(all, all);
+  Matrix mine = Matrix::Zero(all, most);
   for (std::size_t s = 0; s < subdomains.size(); ++s) {
     const Subdomain& subdomain = *subdomains[s];
     const int number = bodies.partOf(static_cast<int>(s)), first = bodies.firstMotion(number);
@@ -31,7 +31,7 @@ TraceMotions::TraceMotions(const InterfaceSpace& space, const ContactBodies& bod
       const Matrix moved = part.at(subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.components());
       const Vector own = part.free.transpose() * (moved.transpose() * Eigen::Map<const Vector>(along.data(), moved.rows()));
       ofOwned_.row(at).head(own.size()) = own.transpose();
-      mine.block(first, first, own.size(), own.size()) += own * own.transpose();
+      mine.block(first, 0, own.size(), own.size()) += own * own.transpose();
     }
   }
   squared_ = mine;
@@ -52,7 +52,11 @@ Vector TraceMotions::takeOut(MultiVector& trace) const {
     mine.segment(first, count) += owned(at, 0) * ofOwned_.row(at).head(count).transpose();
   }
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), sums.data());
-  const Vector motion = leastSquares(squared_, sums);
+  Vector motion = Vector::Zero(sums.size());
+  for (std::size_t part = 0; part < bodies_.parts().size(); ++part) {
+    const Eigen::Index first = bodies_.firstMotion(static_cast<int>(part)), count = bodies_.parts()[part].free.cols();
+    if (count > 0) motion.segment(first, count) = leastSquares(squared_.block(first, 0, count, count), sums.segment(first, count));
+  }
   for (std::size_t k = 0; k < partOfOwned_.size(); ++k) {
     const auto [first, count] = columns(k);
     const auto at = static_cast<Eigen::Index>(k);

@@ -27,7 +27,7 @@ class TraceMotions {
   CommPtr comm_;
   std::vector<int> partOfOwned_;
   Matrix ofOwned_;  // owned unknowns x motions of their part
-  Matrix squared_;  // inner products of all parts' motions, summed over ranks: motions x motions
+  Matrix squared_;  // inner products of the motions of each part, summed over ranks: one square block per part, below each other
 };
 
 }  // namespace suture

@@ -114,7 +114,7 @@ def judge(scene, one, two):
         return "refused", one.failure
     if refuses[1]:
         return "default breaks down", one.failure  # where it should refuse
-    unsettled = "not reached within" in one.failure and "neither" in two.failure
+    unsettled = "not reached within" in one.failure and "found no states" in two.failure
     if unsettled and any(c["law"].cohesion or c["law"].bound for c in scene.contacts):
         return "law jumps", both  # cohesion is lost where a pair opens: a solution need not exist
     return "both fail", both
