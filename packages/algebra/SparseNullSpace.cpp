@@ -73,7 +73,7 @@ Matrix sparseNullBasis(const SparseMatrix& rows, double threshold) {
     if (row.empty() || isPivot[static_cast<std::size_t>(row.front().first)]) throw InternalError("sparse QR: a row without pivot");
     isPivot[static_cast<std::size_t>(row.front().first)] = 1;
   }
-  std::vector<Eigen::Index> columnOf(static_cast<std::size_t>(n), -1);  // of a dependent unknown in the basis
+  std::vector<Eigen::Index> columnOf(static_cast<std::size_t>(n), -1);  // column of each dependent unknown in the basis
   Eigen::Index count = 0;
   for (std::size_t k = 0; k < isPivot.size(); ++k)
     if (!isPivot[k]) columnOf[k] = count++;

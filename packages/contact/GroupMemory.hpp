@@ -18,8 +18,8 @@ struct GroupMemory {
   ///     8 dense matrices of rows x rows (compliance, its closed block and its factor, held and free, and temporaries).
   /// In 2D a factor is 7 n log2(n) entries at 11 bytes. 7 is about the largest value measured with CHOLMOD and AMD for two unknowns per
   /// node, up to n = 600,000: a square of 4-node quadrilaterals gives 3.8 (n = 3,000), 4.6 (50,000), 6.2 (200,000), 7.1 (600,000);
-  /// triangles give 2.1 to 4.4, quadratic elements at most 7.0, and strips of 16:1, which resemble groups along a line, half to two thirds
-  /// of that. An entry takes 10 to 12 bytes with its index.
+  /// triangles give 2.1 to 4.4, quadratic elements at most 7.0. Strips of 16:1, which resemble groups along a line, give half to two
+  /// thirds of these values. An entry takes 10 to 12 bytes with its index.
   double megabytes() const;
 };
 

@@ -85,6 +85,7 @@ StateSearch::Result TrescaFixedPoint::run(PairStates start) {
     normal = result.normal;
   }
   const double same = std::max(kSameForces, kSameAsSolved * solver_.tightest());
+  bool settled = false;  // a problem whose bounds are not those of its own solution is no solution
   while (left_ > 0 && solver_.goesOn()) {
     result = solve(start, normal, left_);
     if (result.normal.size() == 0) break;
@@ -92,8 +93,10 @@ StateSearch::Result TrescaFixedPoint::run(PairStates start) {
     bool depends = false;  // the bound of some pair depends on its normal force
     for (std::size_t i = 0; i < start.size() && !depends; ++i)
       depends = rigid_.data().canChange[i] && start[i].closed() && laws.rubs(i) && laws.cone(i).friction != 0.0;
-    if (!result.converged || !depends || !next(normal, result.normal, same)) break;
+    settled = result.converged && (!depends || !next(normal, result.normal, same));
+    if (settled || !result.converged) break;
   }
+  result.converged = settled;
   if (!result.converged && result.normal.size() > 0) {
     const Collapse::Result found = Collapse(rigid_, laws_, sites_, solver_).find(result.states, result.normal, Collapse::kSolves);
     solves_ += found.solves;

@@ -20,7 +20,7 @@ struct GivenBounds : CondensedBody {
   }
 };
 
-// violation() asks for Coulomb's law itself, from the laws and the equilibrium of the body.
+// violation() tests Coulomb's law itself, by the laws and the equilibrium of the body.
 TEUCHOS_UNIT_TEST(TrescaFixedPoint, EndsAtASolutionOfCoulombsLaw) {
   std::mt19937 random(31);
   const SearchLaw tied = std::make_shared<Tied>(), smooth = std::make_shared<Frictionless>();
@@ -69,6 +69,24 @@ TEUCHOS_UNIT_TEST(TrescaFixedPoint, GoesOnFromItsOwnSolution) {
     TEST_COMPARE(again.solves, <=, 3);
     TEST_COMPARE((body.u - before).norm(), <=, 1e-7 * before.norm());
   }
+}
+
+// However few solves are allowed: what is called a solution is one.
+TEUCHOS_UNIT_TEST(TrescaFixedPoint, ClaimsNothingWhenItRunsOutOfSolves) {
+  std::mt19937 random(34);
+  int ended = 0, solved = 0;
+  for (int trial = 0; trial < 10; ++trial) {
+    GivenBounds body(2 + trial % 2, 6);
+    body.random(random, false);
+    body.begin({dry(0.0, 0.3)}, std::vector<int>(6, 0));
+    for (int most = 1; most < 30; ++most) {
+      const StateSearch::Result found = TrescaFixedPoint(*body.rigid, body.laws, body.sites, body, most).run();
+      (found.converged ? solved : ended) += 1;
+      if (found.converged) TEST_COMPARE(body.violation(), <, 1e-7);
+    }
+  }
+  out << solved << " solved, " << ended << " ended before\n";
+  TEST_COMPARE(std::min(solved, ended), >, 20);
 }
 
 // Both carry .6 per node under a normal force of 2.

@@ -44,25 +44,25 @@ void Board::open() {
   PMPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   PMPI_Comm_size(MPI_COMM_WORLD, &ranks_);
   if (ranks_ > kMostRanks) fail("more ranks than this library knows");
-  char name[] = "/dev/shm/suture_mpi_order_XXXXXX";
+  char name[64] = "";  // anonymous memory, which the other ranks open through rank 0's descriptor: no file is left however a job ends
   int file = -1;
   if (rank_ == 0) {
-    file = mkstemp(name);
+    file = memfd_create("suture_mpi_order", 0);
     if (file < 0 || ftruncate(file, kBytes) != 0) fail("no shared memory");
+    std::snprintf(name, sizeof(name), "/proc/%d/fd/%d", static_cast<int>(getpid()), file);
   }
   PMPI_Bcast(name, sizeof(name), MPI_CHAR, 0, MPI_COMM_WORLD);
   if (rank_ != 0) file = ::open(name, O_RDWR);
   if (file < 0) fail("the ranks are not on one machine");
   void* memory = mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
   if (memory == MAP_FAILED) fail("no shared memory");
-  close(file);
   base_ = static_cast<char*>(memory);
   if (rank_ == 0) {
     for (int r = 0; r < ranks_; ++r) header().states[r].functionIndex = -1;
     header().end = (sizeof(Header) + 63) / 64 * 64 + std::uint64_t(ranks_) * kTextBytes;
   }
   PMPI_Barrier(MPI_COMM_WORLD);
-  if (rank_ == 0) unlink(name);
+  close(file);
 }
 
 std::uint32_t Board::keep(const std::string& text) {
