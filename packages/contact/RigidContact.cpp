@@ -18,7 +18,6 @@ namespace {
 constexpr double kTouching = 1e-12;    // penetration, relative to the size of the gaps, at which a pair touches
 constexpr double kNoWork = 1e-11;      // work of loads in a motion that counts as zero, relative to the sum of its parts
 constexpr double kWeakSprings = 1e-2;  // singular value of springs along tangents below which they hold no motion
-constexpr int kDense = 60;             // motions up to which dense decompositions are faster than sparse ones
 constexpr int kPatchRounds = 4;        // rounds of the fixed point of compliance and patch lengths
 // Centre of a disc with a force on each of n nodes at distance h: displacement 3.5 sqrt(n) / (pi E* h) (Boussinesq, sum of 1 / r). For two
 // bodies of trilinear cubes a node has k = 0.45 E h, E* = 0.55 E.
@@ -81,7 +80,7 @@ RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   for (const Component& component : components_) {
     const Matrix rows = pairs_.rows(component.pairs, component.motions);
     const Vector work = pairs_.work(component.motions), own = t(component.pairs), k = stiffness(component.pairs);
-    if (work.size() > kDense) {
+    if (work.size() > kMostDense) {
       const PadModel::Equilibrium pads = PadModel::unilateral(rows, work, own, k.cwiseInverse());
       result.found = pads.found && result.found;
       result.motion(component.motions) = pads.motion;
@@ -165,7 +164,7 @@ void RigidContact::findEntries() {
 }
 
 Matrix RigidContact::nullSpaceOf(const std::vector<const Entries*>& rows) const {
-  if (motions() <= kDense) {
+  if (motions() <= kMostDense) {
     Matrix dense = Matrix::Zero(static_cast<Eigen::Index>(rows.size()), motions());
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (const auto& [motion, value] : *rows[r]) dense(static_cast<Eigen::Index>(r), motion) = value;

@@ -22,7 +22,6 @@ constexpr double noMotion = 1e-8;  // relative to a unit amplitude
 // Largest change of a gap, relative to the amplitude of the motion, that counts as zero: a round body that turns in its seat changes gaps
 // by the inaccuracy of mesh coordinates (normals of nodes that Gmsh puts on circles are accurate to 1e-8).
 constexpr double noOpening = 1e-6;
-constexpr int kDense = 60;          // motions up to which dense decompositions are faster than sparse ones
 constexpr double kBalanced = 1e-9;  // imbalance of pads, relative to the loads, at which they prove that contact holds all bodies
 
 // The simplest motion in a space of amplitudes (orthonormal columns): a translation if there is one, along an axis if possible.
@@ -114,7 +113,7 @@ Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const Conta
 /// Motions that keep all gaps: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed: no contact force balances
 /// loads along them.
 Matrix slidingMotions(Matrix& rows) {
-  if (rows.cols() > kDense) {
+  if (rows.cols() > kMostDense) {
     const Matrix sliding = sparseNullSpace(rows.sparseView(), noOpening);
     if (sliding.cols() > 0) rows -= (rows * sliding) * sliding.transpose();
     return sliding;
@@ -130,7 +129,7 @@ Matrix slidingMotions(Matrix& rows) {
 /// Forces p >= 0 with the least remainder of rows^T p = work. Many bodies: forces of elastic pads, which cost less, if they balance the
 /// loads.
 Vector balancingForces(const Matrix& rows, const Vector& work) {
-  if (rows.cols() > kDense) {
+  if (rows.cols() > kMostDense) {
     const PadModel::Equilibrium pads = PadModel::unilateral(rows, work, Vector::Zero(rows.rows()), Vector::Ones(rows.rows()));
     if (pads.found && (rows.transpose() * pads.force.col(0) - work).norm() <= kBalanced * work.norm()) return pads.force.col(0);
   }
