@@ -29,12 +29,12 @@ class PadModel {
   };
   /// Equilibrium of the convex problem. \param t  pairs x 3: penetration and slip [length];  \param compliance  one per pair
   Equilibrium associated(const Matrix& t, const Vector& compliance) const;
-  /// Equilibrium of rigid bodies on unilateral pads without friction. \param rows  pairs x motions;  \param t  penetrations [length]
-  static Equilibrium unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance);
   /// The same with Coulomb's law, whose slip does not open a pair: fixed point of convex problems with penetrations t_n - friction |slip|
   /// (Acary et al. 2011). Pads without normal force hold nothing: a bound is lost where a pair opens. `trial` belongs to Coulomb's law.
   /// \param slip  initial guess of |slip| per pair, or empty
   Equilibrium coulomb(const Matrix& t, const Vector& compliance, const Vector& slip = {}) const;
+  /// Equilibrium of rigid bodies on unilateral pads without friction. \param rows  pairs x motions;  \param t  penetrations [length]
+  static Equilibrium unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance);
 
   /// Limit analysis (static theorem): a unit motion in which the loads do more work than all forces in the cones can resist; empty if
   /// forces in the cones can balance the loads. No equilibrium exists along such a motion, at any position of the bodies with these pairs.
