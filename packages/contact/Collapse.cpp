@@ -1,6 +1,5 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/contact/Collapse.hpp>
-#include <suture/contact/PadProblem.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +181,7 @@ Collapse::Result Collapse::find(const PairStates& states, Vector normal, int mos
     if (result.solves >= most || !solver_.goesOn()) return result;
     last = multiple;
     ++result.solves;
-    const FrictionAnswer answer = solver_.solve(sliding(closed, normal, motion, multiple, states), tolerance);
+    const ContactAnswer answer = solver_.solve(sliding(closed, normal, motion, multiple, states), tolerance);
     if (!answer.solved) return result;
     bool changed = false;
     for (std::size_t i = 0; i < closed.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/contact/ContactCompliance.hpp>
 #include <suture/contact/DelassusProblem.hpp>
+#include <suture/contact/StateSearch.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -205,17 +206,20 @@ ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector
   data.canChange.assign(pairs(), 1);
   RigidContact rigid(std::move(data));
   DelassusProblem problem(rigid, compliance_, open, {});
-  ClosedSet first(pairs(), 0);
-  for (int i = 0; i < pairs(); ++i) first[i] = start[i].closed();
-  if (rigid.loosens(first)) first = rigid.start();
-  const ContactSearch::Result found = ContactSearch(rigid, problem, kMostSolves).run(first);
-  if (!found.converged) throw NumericalError("contact group: " + found.failure);
+  PairStates first(start.begin(), start.end());
+  StateSearch search(rigid, problem, kMostSolves);
+  if (rigid.loosens(first)) first = statesOf(rigid.start());
+  const StateSearch::Result found = search.run(first);
+  if (!found.converged)
+    throw NumericalError(found.slides.size() > 0
+                             ? "contact group: the loads push a body away from all contacts that could hold it"
+                             : "contact group: found no set of closed pairs that balances the loads without tensile forces");
 
   State state;
   state.steps = found.solves;
-  state.force = found.force;
+  state.force = found.normal;
   state.rigid = problem.state().amplitude;
-  for (int i = 0; i < pairs(); ++i) state.status.push_back(found.closed[i] ? rows_.pressed[i] : ContactState());
+  for (int i = 0; i < pairs(); ++i) state.status.push_back(found.states[i].closed() ? rows_.pressed[i] : ContactState());
   Matrix correction = rows_.rows.transpose() * state.force;
   inverse_.apply(correction);
   v -= correction;

@@ -72,7 +72,7 @@ class ContactCompliance {
     Matrix kernel_;
   };
 
-  /// Solves the unilateral problem (forces and gaps >= 0, their product zero) by ContactSearch from `start`, or from rigid bodies on pads
+  /// Solves the unilateral problem (forces and gaps >= 0, their product zero) by StateSearch from `start`, or from rigid bodies on pads
   /// where that set leaves a body unconstrained. Uses normal rows only: without friction.
   /// \param v  in: loads b; out: displacements
   /// \param moved  as in Closed::solve

@@ -186,23 +186,6 @@ ContactGroup::Response ContactGroup::respondLinear(const Vector& trace, const Co
   return finish(trace, v.col(0), std::move(response));
 }
 
-ContactGroup::Response ContactGroup::changeLinear(const Vector& trace, const ContactCompliance::Closed& closed,
-                                                  const Vector& pairForces) const {
-  Matrix v(static_cast<int>(interiorPositions_.size()), 1), force, flux(trace.size(), 1);
-  interiorLoad(trace, v);
-  Vector all = Vector::Zero(rows_.rows.rows());
-  all.head(rows_.size()) = pairForces;
-  v.col(0) -= interiorRows_.rows.transpose() * all;
-  closed.solve(v, 0.0, &force);
-  this->flux(trace, v, flux);
-  Response response;
-  response.status = closed.status();
-  response.force = force.col(0) + all;
-  response.flux = flux.col(0);
-  place(trace, v.col(0), response);
-  return response;
-}
-
 void ContactGroup::place(const Vector& trace, const Vector& interior, Response& response) const {
   response.displacement = Vector(dofs());
   for (std::size_t i = 0; i < interiorPositions_.size(); ++i) response.displacement(interiorPositions_[i]) = interior(i);
@@ -221,7 +204,7 @@ ContactGroup::Response ContactGroup::finish(const Vector& trace, const Vector& i
 
 namespace {
 
-/// Solved by ContactSearch.
+/// Solved by StateSearch.
 class ExactGroup final : public ContactGroup {
  public:
   using ContactGroup::ContactGroup;

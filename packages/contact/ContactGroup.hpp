@@ -56,9 +56,6 @@ class ContactGroup {
   /// pairs along the tangents too, slipping pairs carry a given tangential force, open pairs none.
   /// \param closed  pairs, made by held()
   Response respondLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& moved = {}) const;
-  /// Change of the response, without loads and gaps, due to the trace and to pair forces (> 0 compressive) that act in addition to those of
-  /// the closed pairs.
-  Response changeLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& pairForces) const;
 
   int id() const { return id_; }
   const std::vector<Member>& members() const { return members_; }

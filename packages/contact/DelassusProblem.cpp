@@ -11,10 +11,10 @@ namespace {
 constexpr double kRounding = 1e-11;  // round-off of forces, and of deformations by them, in the dense solves
 constexpr double kRepeated = 1e-13;  // shift of the scaled diagonal, by which linearly dependent rows share their force
 
-std::vector<int> closedOnes(const ClosedSet& set) {
+std::vector<int> closedOnes(const PairStates& states) {
   std::vector<int> closed;
-  for (std::size_t i = 0; i < set.size(); ++i)
-    if (set[i]) closed.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (states[i].closed()) closed.push_back(static_cast<int>(i));
   return closed;
 }
 
@@ -36,10 +36,9 @@ DelassusProblem::DelassusProblem(const RigidContact& rigid, const Matrix& compli
   state_.amplitude = Vector::Zero(rigid.motions());
 }
 
-void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& right, const Vector& balance, Vector& force,
-                                  Vector& amplitude) const {
-  force = Vector::Zero(rigid_.pairs());
-  amplitude = Vector::Zero(rigid_.motions());
+void DelassusProblem::solveSaddle(const std::vector<int>& closed) {
+  state_.force = Vector::Zero(rigid_.pairs());
+  state_.amplitude = Vector::Zero(rigid_.motions());
   if (closed.empty()) return;
   // Scale pairs to a unit diagonal, and the motions that they stop to unit columns.
   const Vector scale = Vector(compliance_.diagonal()(closed)).cwiseSqrt().cwiseInverse();
@@ -53,7 +52,7 @@ void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& 
   g = (g * columns.asDiagonal()).eval();
   const Matrix inverse = choleskySolve(lower, g);
   const Matrix middle = g.cols() > 0 ? factorOf(g.transpose() * inverse) : Matrix(0, 0);
-  const Vector b = scale.cwiseProduct(right), e = columns.cwiseProduct(stopped.transpose() * balance);
+  const Vector b = scale.cwiseProduct(open_(closed)), e = columns.cwiseProduct(stopped.transpose() * rigid_.data().work);
   Vector f = Vector::Zero(b.size()), a = Vector::Zero(e.size());
   for (int pass = 0; pass < 3; ++pass) {  // refinement, so that the shift of the factor does not affect the result
     const Vector restB = b - w * f + g * a, restE = e - g.transpose() * f;
@@ -63,37 +62,28 @@ void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& 
     f += y + inverse * da;
   }
   const Vector scaled = scale.cwiseProduct(f);
-  for (std::size_t i = 0; i < closed.size(); ++i) force(closed[i]) = scaled(static_cast<Eigen::Index>(i));
-  if (e.size() > 0) amplitude = stopped * columns.cwiseProduct(a);
+  for (std::size_t i = 0; i < closed.size(); ++i) state_.force(closed[i]) = scaled(static_cast<Eigen::Index>(i));
+  if (e.size() > 0) state_.amplitude = stopped * columns.cwiseProduct(a);
 }
 
-ContactAnswer DelassusProblem::solve(const ClosedSet& set, int) {
-  const std::vector<int> closed = closedOnes(set);
-  solveSaddle(closed, open_(closed), rigid_.data().work, state_.force, state_.amplitude);
-  ContactAnswer answer;
-  answer.force = state_.force;
+ContactAnswer DelassusProblem::solve(const PairStates& states, double) {
+  const std::vector<int> closed = closedOnes(states);
+  ClosedSet set(states.size(), 0);
+  for (const int i : closed) set[static_cast<std::size_t>(i)] = 1;
+  solveSaddle(closed);
   const Vector deformed = compliance_ * state_.force;
-  answer.penetration = open_ - deformed + rigid_.data().rows * state_.amplitude;
-  for (const int i : closed) answer.penetration(i) = 0.0;
+  Vector penetration = open_ - deformed + rigid_.data().rows * state_.amplitude;
+  for (const int i : closed) penetration(i) = 0.0;
+  ContactAnswer answer;
+  answer.force = answer.jump = Matrix::Zero(rigid_.pairs(), 3);
+  answer.force.col(0) = state_.force;
+  answer.jump.col(0) = penetration;
   answer.forceTolerance = kRounding * rigid_.clusterScale(set, state_.force);
-  answer.penetrationTolerance = kRounding * rigid_.clusterScale(set, deformed) + 1e-13 * open_.cwiseAbs() + rounding_ +
-                                1e-13 * (rigid_.data().rows.cwiseAbs() * state_.amplitude.cwiseAbs());
+  answer.jumpTolerance = kRounding * rigid_.clusterScale(set, deformed) + 1e-13 * open_.cwiseAbs() + rounding_ +
+                         1e-13 * (rigid_.data().rows.cwiseAbs() * state_.amplitude.cwiseAbs());
   answer.energy = open_.dot(state_.force) - 0.5 * state_.force.dot(deformed);
   answer.solved = state_.force.allFinite() && state_.amplitude.allFinite();
   return answer;
-}
-
-ContactOracle::Change DelassusProblem::redistribute(const ClosedSet& set, const Vector& given) {
-  const std::vector<int> closed = closedOnes(set);
-  Change change;
-  Vector amplitude;
-  const Vector pushed = compliance_ * given;
-  solveSaddle(closed, -pushed(closed), -(rigid_.data().rows.transpose() * given), change.force, amplitude);
-  change.force += given;
-  change.penetration = -(compliance_ * change.force) + rigid_.data().rows * amplitude;
-  for (const int i : closed) change.penetration(i) = 0.0;
-  if (!change.force.allFinite()) return {};
-  return change;
 }
 
 }  // namespace suture

@@ -1,6 +1,6 @@
-#include <suture/contact/ContactSearch.hpp>
 #include <suture/contact/DelassusProblem.hpp>
 #include <suture/contact/HalfPlaneModel.hpp>
+#include <suture/contact/StateSearch.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,15 +30,17 @@ ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vect
   pairs.canChange.assign(rigid.data().canChange.begin() + first, rigid.data().canChange.begin() + last);
   RigidContact pads(std::move(pairs));
   DelassusProblem problem(pads, compliance, open, {});
-  ClosedSet start(n, 0);
-  for (int i = 0; i < n; ++i) start[i] = pads.data().canChange[i] && (force(first + i) > 0.0 || penetration(first + i) > 0.0);
-  ContactSearch search(pads, problem, kMostPadSolves);
-  search.withoutModel();
-  const ContactSearch::Result result = search.run(start);
+  PairStates start(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i)
+    if (pads.data().canChange[i] && (force(first + i) > 0.0 || penetration(first + i) > 0.0)) start[i] = PairStatus::Slip;
+  StateSearch search(pads, problem, kMostPadSolves);
+  search.withoutPrediction();
+  const StateSearch::Result result = search.run(start);
   if (!result.converged) return {};
-  const double least = kLeast * result.force.maxCoeff();
-  for (int i = 0; i < n; ++i) start[i] = result.force(i) > least;
-  return start;
+  const double least = kLeast * result.normal.maxCoeff();
+  ClosedSet closed(n, 0);
+  for (int i = 0; i < n; ++i) closed[i] = result.normal(i) > least;
+  return closed;
 }
 
 }  // namespace

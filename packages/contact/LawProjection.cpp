@@ -79,7 +79,7 @@ PairStates LawProjection::states(const PairStates& now, const Matrix& force, con
   return next;
 }
 
-PairStates LawProjection::believed(const PairStates& now, const FrictionAnswer& answer) const {
+PairStates LawProjection::believed(const PairStates& now, const ContactAnswer& answer) const {
   PairStates all = now;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (!rigid_.data().canChange[i]) continue;
@@ -134,7 +134,7 @@ double LawProjection::distance(const PairStates& now, const Matrix& force, const
   return sum;
 }
 
-double LawProjection::turn(std::size_t pair, const ContactState& next, const FrictionAnswer& answer) const {
+double LawProjection::turn(std::size_t pair, const ContactState& next, const ContactAnswer& answer) const {
   const auto at = static_cast<Eigen::Index>(pair);
   if (next.status != PairStatus::Slip || !(answer.forceTolerance(at) > 0.0)) return 0.0;
   const double bound = next.largest(answer.force(at, 0));

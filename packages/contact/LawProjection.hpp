@@ -35,11 +35,11 @@ class LawProjection {
   /// States of all pairs at given forces and jumps, without tolerances. \param jump  pairs x 3 [length]
   PairStates states(const PairStates& now, const Matrix& force, const Matrix& jump) const;
   /// States of all pairs at a solution, within its tolerances: a pair in doubt keeps its current state.
-  PairStates believed(const PairStates& now, const FrictionAnswer& answer) const;
+  PairStates believed(const PairStates& now, const ContactAnswer& answer) const;
   /// Distance from the laws, sum |l - P(l + R w)|^2 / k with the stiffness k of each row [energy].
   double distance(const PairStates& now, const Matrix& force, const Matrix& jump) const;
   /// Difference between a slipping pair's tangential force and its bound in the direction of slip, relative to the force tolerance.
-  double turn(std::size_t pair, const ContactState& next, const FrictionAnswer& answer) const;
+  double turn(std::size_t pair, const ContactState& next, const ContactAnswer& answer) const;
   /// Admissible forces of a pair for unbounded normal force; a nonlinear law is evaluated at a unit force.
   FrictionCone cone(std::size_t pair) const;
 

@@ -186,7 +186,7 @@ PadModel::Equilibrium PadModel::associated(const Matrix& t, const Vector& compli
   Point at{Vector::Zero(motions_), t};
   Equilibrium result;
   result.found = motions_ == 0 || newton(at, stiffness, {}, kSteps, kTolerance);
-  if (!result.found) {
+  if (!result.found && t.rows() > 0) {
     // Soften the pads until all touch; then stiffen them in steps by a factor of ten.
     std::vector<double> sorted(stiffness.data(), stiffness.data() + stiffness.size());
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
@@ -250,12 +250,14 @@ PadModel::Equilibrium PadModel::coulomb(const Matrix& t, const Vector& complianc
 
 Vector PadModel::unbalanced() const {
   if (motions_ == 0 || data_.work.isZero(0.0)) return {};
-  Vector stiffness(static_cast<Eigen::Index>(rows_.size()));
+  // Springs follow the stiffness of each body. Pads are rigid compared with the springs of both bodies, however soft one of them is.
+  const Vector reference = this->reference(data_.stiffness), scale = reference.cwiseSqrt();
+  Vector stiffness = Vector::Ones(static_cast<Eigen::Index>(rows_.size()));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    stiffness(at) = data_.canChange[i] ? data_.stiffness(at) / kRigid : 1.0;
+    if (rows_[i].motions.empty()) continue;
+    double& own = stiffness(static_cast<Eigen::Index>(i)) = 0.0;
+    for (const int motion : rows_[i].motions) own = std::max(own, reference(motion) / kRigid);
   }
-  const Vector reference = kRigid * this->reference(stiffness), scale = reference.cwiseSqrt();
   Point at{Vector::Zero(motions_), Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 3)};
   bool found = false;
   for (const double spring : {1e9, 1e6, 1e3, 1.0}) found = newton(at, stiffness, spring * reference, kSteps, kBalanced);

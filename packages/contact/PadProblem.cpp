@@ -1,5 +1,6 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/contact/PadProblem.hpp>
+#include <suture/contact/RigidContact.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,12 @@ constexpr double kEquilibrium = 1e-12;  // relative imbalance of pad forces at t
 constexpr double kFlat = 1e-12;         // slope of a line search at the level of round-off, relative to the first
 constexpr double kNoPadForce = 1e-14;   // pad force at the level of round-off, relative to the initial ones
 constexpr int kMostSteps = 300;
-constexpr int kSoonSteps = 60;      // steps of the plain method before soft pads are used
-constexpr int kSoftSteps = 12;      // steps at one softness
-constexpr double kSofter = 0.25;    // ratio of successive softnesses
-constexpr double kSoftly = 1e-3;    // imbalance at which a softness is finished
-constexpr double kNotSoft = 1e-16;  // softness that counts as zero, relative to the first
+constexpr int kSoonSteps = 60;              // steps of the plain method before soft pads are used
+constexpr int kSoftSteps = 12;              // steps at one softness
+constexpr double kSofter = 0.25;            // ratio of successive softnesses
+constexpr double kSoftly = 1e-3;            // imbalance at which a softness is finished
+constexpr double kNoPadEquilibrium = 1e-8;  // relative imbalance of pad forces above which there is no equilibrium
+constexpr double kNotSoft = 1e-16;          // softness that counts as zero, relative to the first
 
 }  // namespace
 

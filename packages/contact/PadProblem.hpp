@@ -3,9 +3,6 @@
 
 namespace suture {
 
-constexpr double kDependentRows = 1e-9;     ///< singular value of rows (of order one) below which they leave a motion free
-constexpr double kNoPadEquilibrium = 1e-8;  ///< relative imbalance of pad forces above which there is no equilibrium
-
 /// Equilibrium of rigid bodies on unilateral pads:  min over x of  sum k (t + rows x)_+^2 / 2 - e.x.  Convex and piecewise quadratic in few
 /// unknowns: Newton's method with an exact line search. Holds references: its arguments must outlive it. Local.
 class PadProblem {

@@ -18,6 +18,7 @@ namespace {
 constexpr double kTouching = 1e-12;    // penetration, relative to the size of the gaps, at which a pair touches
 constexpr double kNoWork = 1e-11;      // work of loads in a motion that counts as zero, relative to the sum of its parts
 constexpr double kWeakSprings = 1e-2;  // singular value of springs along tangents below which they hold no motion
+constexpr double kStopped = 1e-8;      // part of a unit motion that rows do not resist, up to which they stop it
 constexpr int kPatchRounds = 4;        // rounds of the fixed point of compliance and patch lengths
 // Centre of a disc with a force on each of n nodes at distance h: displacement 3.5 sqrt(n) / (pi E* h) (Boussinesq, sum of 1 / r). For two
 // bodies of trilinear cubes a node has k = 0.45 E h, E* = 0.55 E.
@@ -32,7 +33,7 @@ std::vector<int> members(const ClosedSet& set, char value) {
 
 }  // namespace
 
-RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)), norm_(pairs_.work.norm()) {
+RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)) {
   if (pairs_.rows.rows() != this->pairs() || pairs_.penetration.size() != this->pairs() || pairs_.stiffness.size() != this->pairs())
     throw InternalError("rigid contact: the arrays differ in their number of pairs");
   compliance_ = 2.0 * pairs_.stiffness.cwiseInverse();
@@ -185,7 +186,7 @@ Matrix RigidContact::loose(const ClosedSet& closed) const {
   return nullSpaceOf(rows);
 }
 
-Matrix RigidContact::loose(const std::vector<ContactState>& states) const {
+Matrix RigidContact::loose(const PairStates& states) const {
   if (motions() == 0) return Matrix(0, 0);
   std::vector<const Entries*> rows;
   std::vector<std::size_t> springs;  // pairs
@@ -207,6 +208,8 @@ Matrix RigidContact::loose(const std::vector<ContactState>& states) const {
   }
   return free * nullSpace(held, kWeakSprings);
 }
+
+bool RigidContact::loosens(const PairStates& states) const { return motions() - static_cast<int>(loose(states).cols()) < rank_; }
 
 bool RigidContact::loosens(const ClosedSet& closed) const { return motions() - static_cast<int>(loose(closed).cols()) < rank_; }
 
@@ -270,7 +273,7 @@ Matrix RigidContact::neutral(const ClosedSet& carrying, const ClosedSet& touchin
     for (const double sign : {1.0, -1.0}) {
       Vector rest = sign * Vector::Unit(free.cols(), k);
       if (!at.empty()) rest -= rows.transpose() * nonnegativeLeastSquares(rows.transpose(), rest);
-      if (rest.norm() <= kNoPadEquilibrium) continue;
+      if (rest.norm() <= kStopped) continue;
       found.conservativeResize(Eigen::NoChange, found.cols() + 1);
       found.rightCols(1) = rest.normalized();
     }
@@ -316,13 +319,6 @@ Vector RigidContact::scaleOf(DisjointSets sets, const ClosedSet& closed, const V
     }
   }
   return scale;
-}
-
-Vector RigidContact::staticForces() const {
-  if (norm_ == 0.0) return Vector::Zero(pairs());
-  const Vector force = nonnegativeLeastSquares(pairs_.rows.transpose(), pairs_.work / norm_);
-  if ((pairs_.rows.transpose() * force - pairs_.work / norm_).norm() > kNoPadEquilibrium) return {};
-  return norm_ * force;
 }
 
 }  // namespace suture

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/constraints/ContactState.hpp>
+#include <suture/contact/PairStates.hpp>
 
 #include <vector>
 
@@ -8,8 +8,7 @@ namespace suture {
 
 class DisjointSets;
 
-/// Closed contact pairs: one entry per pair, nonzero if it is closed.
-using ClosedSet = std::vector<char>;
+constexpr double kDependentRows = 1e-9;  ///< singular value of rows (of order one) below which they leave a motion free
 
 /// Rigid bodies in contact through unilateral elastic pads, one per contact pair: the cheap model that gives contact solvers their first
 /// set of closed pairs and detects sets that leave a body unconstrained.
@@ -69,9 +68,10 @@ class RigidContact {
   bool isBound(std::size_t pair) const { return !pairs_.bound.empty() && pairs_.bound[pair] != 0; }
   /// The same for pairs with friction: closed pairs hold along the normal, sticking ones along the tangents, and springs
   /// (ContactState::transverseStiffness) along their direction.
-  Matrix loose(const std::vector<ContactState>& states) const;
+  Matrix loose(const PairStates& states) const;
   /// True if a set leaves a motion free that all pairs together would stop.
   bool loosens(const ClosedSet& closed) const;
+  bool loosens(const PairStates& states) const;
   /// Open pairs (holders) that stop all motions that pairs can stop, when closed in addition to a set with the free motions `loose`: one
   /// per motion, chosen for the best conditioning.
   std::vector<int> holders(const ClosedSet& closed, const Matrix& loose) const;
@@ -88,8 +88,6 @@ class RigidContact {
   Vector clusterScale(const ClosedSet& closed, const Vector& values) const;
   /// The same for the less loaded of a pair's two bodies: a light body is not measured by its support.
   Vector bodyScale(const ClosedSet& closed, const Vector& values) const;
-  /// Forces p >= 0 on as few pairs as possible (linearly independent rows) with rows^T p = e; empty: none exist.
-  Vector staticForces() const;
 
  private:
   void findComponents();
@@ -108,7 +106,6 @@ class RigidContact {
   };
   std::vector<Component> components_;          // motions coupled by pads
   std::vector<std::vector<Entries>> entries_;  // by component of the pair's frame, then by pair
-  double norm_ = 0.0;                          // norm of the work
   int rank_ = 0;                               // number of motions that pairs can stop
 };
 

@@ -1,6 +1,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/contact/Collapse.hpp>
-#include <suture/contact/PadProblem.hpp>
+#include <suture/contact/DualAscent.hpp>
+#include <suture/contact/HalfPlaneModel.hpp>
 #include <suture/contact/StateSearch.hpp>
 
 #include <algorithm>
@@ -24,8 +25,10 @@ constexpr double kStateLeastWay = 1e-2;     // first displacement tried, relativ
 constexpr double kStateMostWay = 1e3;       // last displacement tried, relative to the longest such one
 constexpr double kStateNoWork = 1e-11;      // work of forces in a motion that counts as zero, relative to the largest force
 constexpr double kStateHolds = 0.1;  // displacement along a tangent, relative to the motion, above which a spring there holds the motion
-constexpr int kShortPatience = 3;    // steps without progress, from states of the pads
-constexpr int kShort = 7;            // maximum number of solves from there
+constexpr double kStateTouches = 1e-10;  // force relative to that on the less loaded body, below which a pair only touches
+constexpr int kShortPatience = 3;        // steps without progress, from states of the pads
+constexpr int kShort = 7;                // maximum number of solves from there
+constexpr int kPredicted = 3;            // solves whose next states come from half-planes; later ones differ by single pairs
 
 constexpr double kCollapsed = 1.02;  // friction multiple at a limit equilibrium above which no other states are tried
 
@@ -52,6 +55,21 @@ StateSearch::StateSearch(const RigidContact& rigid, const ContactLaws& laws, con
       solver_(solver),
       projection_(rigid, laws, sites, normal),
       pads_(rigid.data(), cones(rigid, projection_)),
+      left_(most) {
+  isFrictionless_ = true;
+  for (std::size_t i = 0; i < rigid_.data().line.size(); ++i)
+    isFrictionless_ = isFrictionless_ && !(rigid_.data().canChange[i] && projection_.rubs(i));
+}
+
+StateSearch::StateSearch(const RigidContact& rigid, LinearContactSolver& solver, int most)
+    : rigid_(rigid),
+      bare_(static_cast<std::size_t>(rigid.pairs())),
+      laws_(none_),
+      sites_(bare_),
+      solver_(solver),
+      projection_(rigid, none_, bare_),
+      pads_(rigid.data(), std::vector<FrictionCone>(bare_.size())),
+      isFrictionless_(true),
       left_(most) {}
 
 PairStates StateSearch::start() {
@@ -77,12 +95,29 @@ PairStates StateSearch::padStates(const PadModel::Equilibrium& pads) const {
   return all;
 }
 
+/// Equilibrium on the pads near a solution.
+PadModel::Equilibrium StateSearch::padsAt(const Balance& at, double softness) const {
+  const Vector compliance = softness * rigid_.compliance();
+  if (!isFrictionless_)
+    return pads_.coulomb(compliance.asDiagonal() * at.force + at.jump, compliance, at.jump.rightCols(2).rowwise().norm());
+  const Vector t = rigid_.compliance().cwiseProduct(at.force.col(0)) + at.jump.col(0);
+  const RigidContact::Equilibrium found = rigid_.project(t);  // accurate for light bodies, too
+  PadModel::Equilibrium pads;
+  pads.found = found.found;
+  pads.motion = found.motion;
+  pads.force = pads.trial = Matrix::Zero(t.size(), 3);
+  pads.force.col(0) = found.force;
+  pads.trial.col(0) = rigid_.motions() > 0 ? Vector(t + rigid_.data().rows * found.motion) : t;
+  pads.trial.col(0) = pads.trial.col(0).cwiseQuotient(rigid_.compliance()).eval();
+  for (Eigen::Index i = 0; i < t.size(); ++i)
+    if (found.force(i) > 0.0) pads.trial(i, 0) = found.force(i);
+  return pads;
+}
+
 /// States of the pads near a solution; they always hold the bodies. False if the pads have no equilibrium.
 bool StateSearch::fromPads(const Balance& at, double softness, PairStates& found) const {
   if (at.force.size() == 0) return false;
-  const Vector compliance = softness * rigid_.compliance();
-  const PadModel::Equilibrium pads =
-      pads_.coulomb(compliance.asDiagonal() * at.force + at.jump, compliance, at.jump.rightCols(2).rowwise().norm());
+  const PadModel::Equilibrium pads = padsAt(at, softness);
   if (pads.found) found = padStates(pads);
   return pads.found;
 }
@@ -90,6 +125,10 @@ bool StateSearch::fromPads(const Balance& at, double softness, PairStates& found
 /// True if neither loads nor slipping pairs do work in free motions: the position of bodies along them is arbitrary.
 bool StateSearch::isNeutral(const PairStates& next, const Matrix& free) const {
   const RigidContact::Pairs& data = rigid_.data();
+  if (isFrictionless_)
+    return ((free.transpose() * data.work).cwiseAbs().array() <=
+            kStateNoWork * (free.cwiseAbs().transpose() * data.work.cwiseAbs()).array())
+        .all();
   double size = data.work.size() > 0 ? data.work.cwiseAbs().maxCoeff() : 0.0;  // largest force: the work of loads that balance is round-off
   if (guess_.size() > 0) size = std::max(size, guess_.cwiseAbs().maxCoeff());
   if (at_.force.size() > 0) size = std::max(size, at_.force.cwiseAbs().maxCoeff());
@@ -147,6 +186,7 @@ PairStates StateSearch::withStabilisingPairs(PairStates next) const {
     if (!state.closed()) state = PairStatus::Open;
   Matrix free = rigid_.loose(next);
   if (free.cols() > 0 && isNeutral(next, free)) {
+    if (isFrictionless_) return next;  // held in solveHeld()
     holdBySprings(next, free);
     free = rigid_.loose(next);
   }
@@ -229,6 +269,11 @@ bool StateSearch::advance(const PairStates& next, PairStates& found) {
 /// at the current solution.
 PairStates StateSearch::held(PairStates next) {
   if (rigid_.motions() == 0) return next;
+  if (isFrictionless_) {
+    PairStates other;
+    const bool isLoose = rigid_.loosens(next);
+    return withStabilisingPairs(isLoose && fromPads(at_, 1.0, other) ? std::move(other) : std::move(next));
+  }
   std::vector<Eigen::Matrix3d> active(next.size(), Eigen::Matrix3d::Zero());
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (!rigid_.data().canChange[i] || !next[i].closed()) continue;
@@ -247,11 +292,55 @@ PairStates StateSearch::held(PairStates next) {
   return withStabilisingPairs(std::move(next));
 }
 
+/// Solves for states_. Without friction, motions in which no force does work are held by closing open pairs, which then carry no force.
+/// Along these motions the bodies are then moved to where open pairs penetrate least.
+ContactAnswer StateSearch::solveHeld() {
+  const Matrix free = isFrictionless_ && rigid_.motions() > 0 ? rigid_.loose(states_) : Matrix();
+  const std::vector<int> holders = free.cols() > 0 ? rigid_.holders(closedSet(states_), free) : std::vector<int>();
+  PairStates held = states_;
+  for (const int i : holders) held[static_cast<std::size_t>(i)] = PairStatus::Slip;
+  ContactAnswer answer = solver_.solve(held, tolerance_);
+  if (!answer.solved || free.cols() == 0) return answer;
+  for (const int i : holders) answer.force.row(i).setZero();
+  const ClosedSet closed = closedSet(states_);
+  const Vector motion = free * rigid_.settle(closed, answer.jump.col(0), free);
+  if (motion.isZero(0.0)) return answer;
+  const Vector moved = rigid_.data().rows * motion;
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (!closed[i]) answer.jump(static_cast<Eigen::Index>(i), 0) += moved(static_cast<Eigen::Index>(i));
+  solver_.move(motion);
+  return answer;
+}
+
+/// Holders have moved bodies until their gaps close. Moves these back, along motions that change no force, to the least motion: large ones
+/// cost digits.
+void StateSearch::moveLeast() {
+  const Vector motion = isFrictionless_ ? solver_.motion() : Vector();
+  if (motion.size() != rigid_.motions() || motion.size() == 0) return;
+  const Vector force = normalForces(), scale = rigid_.bodyScale(closedSet(states_), force);
+  ClosedSet carrying(states_.size(), 0);
+  for (std::size_t i = 0; i < carrying.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    carrying[i] = states_[i].closed() && force(at) > std::max(answer_.forceTolerance(at), kStateTouches * scale(at));
+  }
+  const Vector further = rigid_.leastMotion(carrying, motion, answer_.jump.col(0)) - motion;
+  if (!further.isZero(0.0)) solver_.move(further);
+}
+
+/// Next states corrected by the half-plane model near the ends of contact zones.
+PairStates StateSearch::predicted(PairStates next) const {
+  const ClosedSet flipped = closedSet(next),
+                  set = HalfPlaneModel(rigid_).closedSet(closedSet(states_), flipped, answer_.force.col(0), answer_.jump.col(0));
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (set[i] != flipped[i]) next[i] = set[i] ? PairStatus::Slip : PairStatus::Open;
+  return next;
+}
+
 /// Solves for states_; `next` receives the states that the laws give. False if the solve failed.
 bool StateSearch::solve(PairStates& next, double& turns) {
   --left_;
   ++solves_;
-  FrictionAnswer answer = solver_.solve(states_, tolerance_);
+  ContactAnswer answer = solveHeld();
   if (!answer.solved) return false;
   answer_ = std::move(answer);
   next = projection_.believed(states_, answer_);
@@ -279,7 +368,8 @@ void StateSearch::sharpen(double distance, double turns) {
   if (tolerance_ <= last) tolerance_ = between;
 }
 
-/// Step from the current state towards the solution: the first halving that reduces the distance, or the whole step if none does.
+/// Step from the current state towards the solution: the first halving that reduces the distance; if none does, the whole step with
+/// friction, and the one that comes nearest to the laws without.
 /// \param next  receives the states there. False if they are still those of the last solve.
 bool StateSearch::step(PairStates& next) {
   const Matrix force = answer_.force - at_.force, jump = answer_.jump - at_.jump;
@@ -297,8 +387,9 @@ bool StateSearch::step(PairStates& next) {
     lower = to.distance < (1.0 - kStateLeastFall * part) * at_.distance;
     if (to.distance < nearest.distance) nearest = to, nearestPart = part;
   }
-  const bool whole = !lower ? nearest.distance >= at_.distance : part == 1.0;
   if (!lower) to = nearest, part = nearestPart;
+  // With friction the distance has local minima, which full steps leave. Without friction they only lead away.
+  const bool whole = part == 1.0 || (!lower && !isFrictionless_ && nearest.distance >= at_.distance);
   at_ = whole ? Balance{answer_.force, answer_.jump, projection_.distance(states_, answer_.force, answer_.jump)} : to;
   if (whole) return true;
   next = projection_.states(states_, at_.force, at_.jump);
@@ -309,6 +400,7 @@ bool StateSearch::step(PairStates& next) {
 StateSearch::End StateSearch::newton(int most, int patience) {
   const double last = solver_.tightest();
   int since = 0;
+  std::vector<PairStates> tried;  // without friction, at the current accuracy: a state that recurs leads nowhere new
   isNew_ = true;
   best_.distance = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most;) {
@@ -333,6 +425,7 @@ StateSearch::End StateSearch::newton(int most, int patience) {
       since = 0;
       continue;
     }
+    if (isFrictionless_ && predicts_ && solves_ <= kPredicted) next = predicted(std::move(next));
     const double own = projection_.distance(states_, answer_.force, answer_.jump), before = tolerance_;
     if (isNew_) {
       at_ = {answer_.force, answer_.jump, own};
@@ -353,6 +446,16 @@ StateSearch::End StateSearch::newton(int most, int patience) {
     }
     if (tolerance_ < kComparable * before) isNew_ = true;
     next = held(std::move(next));
+    if (isFrictionless_) {
+      if (tolerance_ != before) tried.clear();
+      tried.push_back(states_);
+      if (std::find(tried.begin(), tried.end(), next) != tried.end()) {
+        if (tolerance_ <= last) return End::Stalled;
+        tolerance_ = last;  // only accurate forces can decide
+        isNew_ = true;
+      }
+      if (!goesOn()) return End::Exhausted;  // with the states of the last solution
+    }
     states_ = std::move(next);
   }
   return End::Stalled;
@@ -422,6 +525,28 @@ bool StateSearch::collapses(Result& result) {
   return found.multiple > kCollapsed;
 }
 
+/// Frictionless contact is a convex problem: from the pads at the best state, the dual energy increases until the laws hold.
+StateSearch::End StateSearch::ascend() {
+  const Balance& from = best_.force.size() > 0 ? best_ : first_;
+  if (from.force.size() == 0) return End::Stalled;
+  const PadModel::Equilibrium pads = padsAt(from, 1.0);
+  if (!pads.found) return End::Stalled;
+  tolerance_ = solver_.tightest();
+  End end = End::Stalled;
+  const auto solve = [&](const ClosedSet& closed) -> const ContactAnswer* {
+    if (!goesOn()) end = End::Exhausted;
+    if (end == End::Exhausted) return nullptr;
+    for (std::size_t i = 0; i < closed.size(); ++i)
+      if (rigid_.data().canChange[i]) states_[i] = closed[i] ? PairStatus::Slip : PairStatus::Open;
+    PairStates next;
+    double turns = 0.0;
+    if (this->solve(next, turns)) return &answer_;
+    end = End::Failed;
+    return nullptr;
+  };
+  return DualAscent(rigid_, solve).run(pads.force.col(0)) ? End::Settled : end;
+}
+
 /// Newton from all pairs sticking, and then from states of the pads, with other constants.
 StateSearch::End StateSearch::restart(End end) {
   for (const Try& own : kTries) {
@@ -445,9 +570,13 @@ StateSearch::Result StateSearch::run(PairStates start, bool isClose) {
   tolerance_ = isClose ? solver_.tightest() : solver_.loosest();
   solveByGuess();
   End end = newton(std::numeric_limits<int>::max(), kStatePatience);
-  if (end != End::Settled && (projection_.isFrozen() || !collapses(result))) end = restart(end);
+  if (end != End::Settled && isFrictionless_)
+    end = end == End::Stalled ? ascend() : end;
+  else if (end != End::Settled && (projection_.isFrozen() || !collapses(result)))
+    end = restart(end);
   result.converged = end == End::Settled;
   if (result.converged) {
+    moveLeast();
     result.slides.resize(0);
     result.contraction = contraction();
   }
@@ -456,7 +585,7 @@ StateSearch::Result StateSearch::run(PairStates start, bool isClose) {
     if (!state.closed()) state = PairStatus::Open;  // without springs
   if (answer_.force.size() > 0) result.normal = normalForces();
   result.solves = solves_;
-  if (!result.converged && end != End::Failed && result.slides.size() == 0) result.alternating = violated_;
+  if (!result.converged && end != End::Failed && result.slides.size() == 0 && solves_ > 1) result.alternating = violated_;
   return result;
 }
 

@@ -13,14 +13,16 @@ namespace suture {
 ///   1. Limit analysis first: loads that forces within the cones cannot balance have no equilibrium.
 ///   2. The initial states are those of the pads, without a solve.
 ///   3. Semismooth Newton: the states of P(l + R w) at the current solution define the next linear problem. Combinations of solutions are
-///      in equilibrium, so a line search on the distance from the laws costs no solve; if no step reduces it, a full step is taken. If
-///      states cannot balance the loads, bodies are moved along the loads to states that hold them, or the states of the pads at t = c l +
-///      w are used.
+///      in equilibrium, so a line search on the distance from the laws costs no solve; if no step reduces it, a full step is taken (with
+///      friction). If states cannot balance the loads, bodies are moved along the loads to states that hold them, or the states of the pads
+///      at t = c l + w are used.
 ///   4. If the closed pairs leave bodies a motion in which no force does work (a ball between two plates turns about the line through its
-///      poles), a spring along a tangent of an open pair holds it, without force, at the current position.
-///   5. If the distance has not decreased for some steps: Newton from the other side, with all pairs sticking, and from the states of the
-///      pads at earlier solutions, with different constants. Before that, bodies that slide as a whole in spite of elastic pressure are
-///      recognised by Collapse.
+///      poles), a spring along a tangent of an open pair holds it, without force, at the current position. Without friction an open pair is
+///      closed, without force, and the body is then moved to where open pairs penetrate least.
+///   5. If the distance has not decreased for some steps, or without friction if states recur: a convex problem (all pairs frictionless) is
+///      solved by DualAscent, proven to end at the solution. With friction: Newton from the other side, with all pairs sticking, and from
+///      the states of the pads at earlier solutions, with different constants. Before that, bodies that slide as a whole in spite of
+///      elastic pressure are recognised by Collapse.
 /// The accuracy of the solves is tied to the distance from the laws.
 class StateSearch {
  public:
@@ -39,6 +41,10 @@ class StateSearch {
   /// \param normal  normal forces for the bounds of a Tresca problem [force]; empty: bounds follow the current normal forces
   StateSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, LinearContactSolver& solver,
               int most, const Vector& normal = {});
+  /// Frictionless contact: all pairs have Signorini's law.
+  StateSearch(const RigidContact& rigid, LinearContactSolver& solver, int most);
+  /// Switches the half-plane model off; used for the small problems of that model.
+  void withoutPrediction() { predicts_ = false; }
 
   /// States of the pads, as initial guess.
   PairStates start();
@@ -58,6 +64,10 @@ class StateSearch {
     double distance = 0.0;
   };
 
+  ContactAnswer solveHeld();
+  void moveLeast();
+  PairStates predicted(PairStates next) const;
+  End ascend();
   void solveByGuess();
   PairStates sticking() const;
   bool collapses(Result& result);
@@ -74,20 +84,24 @@ class StateSearch {
   bool differs(const PairStates& next) const;
   PairStates held(PairStates next);
   PairStates padStates(const PadModel::Equilibrium& pads) const;
+  PadModel::Equilibrium padsAt(const Balance& at, double softness) const;
   bool fromPads(const Balance& at, double softness, PairStates& found) const;
   PairStates withStabilisingPairs(PairStates next) const;
   bool goesOn() const { return left_ > 0 && solver_.goesOn(); }
 
   const RigidContact& rigid_;
+  const ContactLaws none_;  // laws and sites of the frictionless constructor
+  const std::vector<FrictionSite> bare_;
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
   LinearContactSolver& solver_;
   LawProjection projection_;
   PadModel pads_;
+  bool isFrictionless_ = false, predicts_ = true;
   int left_, solves_ = 0;
   double tolerance_ = 0.0;
   PairStates states_;
-  FrictionAnswer answer_;
+  ContactAnswer answer_;
   std::vector<int> violated_;
   std::vector<PairStates> met_;  // states reached while bodies were moved
   Balance at_, best_, first_;    // current, closest to the laws, and first one of a try

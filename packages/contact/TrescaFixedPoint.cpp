@@ -71,7 +71,7 @@ StateSearch::Result TrescaFixedPoint::run(PairStates start) {
   if (normal.size() == 0) {
     // Normal forces of the given states, whose bounds are those of an earlier solution.
     for (ContactState& state : start) state.friction = 0.0;
-    const FrictionAnswer answer = solver_.solve(start, solver_.tightest());
+    const ContactAnswer answer = solver_.solve(start, solver_.tightest());
     --left_;
     ++solves_;
     if (answer.solved) normal = answer.force.col(0).cwiseMax(0.0);

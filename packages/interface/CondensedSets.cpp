@@ -153,45 +153,6 @@ double CondensedSets::rigidWork(const InterfaceState& state) const {
   return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
 }
 
-MultiVectorPtr CondensedSets::loadOf(const Vector& pairForces, const ContactStates& status) const {
-  Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1);
-  collectively(comm_, "loading the contact groups with pair forces", [&] {
-    for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
-      const ContactGroup& group = *problem_.groups()[g];
-      const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
-      const Vector none = Vector::Zero(static_cast<Eigen::Index>(group.boundary().size()));
-      const ContactGroup::Response change =
-          group.changeLinear(none, problem_.linearised(number, status[place])->held(), ofGroup(number, pairForces));
-      problem_.space()->coupling(place).addTransposed(-change.flux, out);
-    }
-  });
-  const MultiVectorPtr load = problem_.space()->vector();
-  problem_.space()->scatterAdd(out, *load);
-  return load;
-}
-
-void CondensedSets::pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
-                                Vector& penetration) const {
-  const std::vector<Vector> trace = problem_.traces(step);
-  Matrix mine = Matrix::Zero(bodies_->rigid().pairs(), 2);
-  collectively(comm_, "moving the contact groups", [&] {
-    for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
-      const ContactGroup& group = *problem_.groups()[g];
-      const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
-      const ContactGroup::Response change =
-          group.changeLinear(trace[place], problem_.linearised(number, status[place])->held(), ofGroup(number, pairForces));
-      const Vector moved = group.rows().rows * change.displacement;
-      for (int row = 0; row < group.rows().size(); ++row) {
-        mine(group.rows().pairIds[row], 0) = change.force(row);
-        mine(group.rows().pairIds[row], 1) = status[place][row].closed() ? 0.0 : moved(row);
-      }
-    }
-  });
-  const Matrix all = everywhere(mine);
-  force = all.col(0);
-  penetration = all.col(1);
-}
-
 /// Stores the energies, because they need a solve in each group.
 int CondensedSets::remember(InterfaceState& state) const {
   if (!state.memory) state.memory = std::make_shared<Matrix>(energies(state));

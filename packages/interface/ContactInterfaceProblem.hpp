@@ -56,9 +56,6 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   Evaluation evaluateSet(const InterfaceState& state, PairResolution resolution) const override;
   InterfaceState padState() const override;
   void move(InterfaceState& state, const Vector& motion) const override;
-  MultiVectorPtr loadOf(const Vector& pairForces, const ContactStates& status) const override;
-  void pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
-                   Vector& penetration) const override;
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
   void separate(InterfaceState& state) const override;
   int remember(InterfaceState& state) const override;

@@ -79,42 +79,6 @@ double ContactInterfaceProblem::rigidWork(const InterfaceState& state) const {
   return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
 }
 
-MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const ContactStates& status) const {
-  Matrix imbalance = Matrix::Zero(space_->overlapSize(), 1);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto& row = clusters_->row(static_cast<int>(i));
-    for (std::size_t k = 0; k < row.places.size(); ++k) imbalance(row.places[k], 0) += row.coefficients[k] * pairForces(rows_[i].pair.id);
-  }
-  // Each rank that sees an unknown sees all rows with it: no sum over ranks is needed.
-  return residual(imbalance, *spaceOf(status));
-}
-
-void ContactInterfaceProblem::pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
-                                          Vector& penetration) const {
-  Matrix moved;
-  spaceOf(status)->gather(step, moved);
-  const MultiVectorPtr trace = space_->vector(), flux = space_->vector();
-  auto owned = localView(*trace);
-  for (int place = 0; place < space_->overlapSize(); ++place)
-    if (const int at = space_->ownedRow(place); at >= 0) owned(at, 0) = moved(place, 0);
-  apart_->apply(*trace, *flux);
-  Matrix imbalance;
-  space_->gather(*flux, imbalance);
-  const int pairs = static_cast<int>(rows_.size());
-  Matrix values = Matrix::Zero(pairs, 2);
-  for (int i = 0; i < pairs; ++i) {
-    const auto& row = clusters_->row(i);
-    for (std::size_t k = 0; k < row.places.size(); ++k) {
-      imbalance(row.places[k], 0) += row.coefficients[k] * pairForces(rows_[i].pair.id);
-      values(i, 1) += row.coefficients[k] * moved(row.places[k], 0);
-    }
-  }
-  values.col(0) = clusters_->forces(status[0], imbalance.col(0)).head(pairs);
-  const Matrix all = everywhere(values);
-  force = all.col(0) + pairForces;
-  penetration = all.col(1);
-}
-
 int ContactInterfaceProblem::remember(InterfaceState& state) const {
   if (state.memory) return 0;
   state.memory = std::make_shared<Matrix>(imbalance(*state.trace));

@@ -48,8 +48,8 @@ struct PairResolution {
   double ofBody = 0.0;  ///< relative to the largest force on the less loaded of its two bodies
 };
 
-/// Contact states as sets of closed pairs: the interface between a formulation and ContactSearch. Sets and pair values are by pair id, the
-/// same on all ranks. All functions except the first are collective.
+/// Contact states as sets of closed pairs: the interface between a formulation and the search for frictionless states. Sets and pair values
+/// are by pair id, the same on all ranks. All functions except the first are collective.
 class ContactSets {
  public:
   virtual ~ContactSets() = default;
@@ -65,12 +65,6 @@ class ContactSets {
   virtual InterfaceState padState() const = 0;
   /// Moves parts rigidly: `motion` are amplitudes of bodies().rigid(). Forces do not change.
   virtual void move(InterfaceState& state, const Vector& motion) const = 0;
-  /// Load of pair forces (> 0 compressive) on the interface, in the space for a status. [force]
-  virtual MultiVectorPtr loadOf(const Vector& pairForces, const ContactStates& status) const = 0;
-  /// Changes of closed pairs' forces and open pairs' penetrations by a step in the space for a status.
-  /// \param pairForces  forces that act in addition
-  virtual void pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
-                           Vector& penetration) const = 0;
   /// Part of each owned unknown.
   virtual const std::vector<int>& partOfOwned() const = 0;
   /// Moves the rigid motion of free parts from the trace to `rigid`, so that forces have only the round-off of deformations.

@@ -111,7 +111,7 @@ DelassusFriction::System DelassusFriction::systemOf(const PairStates& states) co
   return system;
 }
 
-FrictionAnswer DelassusFriction::solve(const PairStates& states, double) {
+ContactAnswer DelassusFriction::solve(const PairStates& states, double) {
   const System system = systemOf(states);
   const Matrix &h = delassus_.compliance(), &g = delassus_.motions();
   const Eigen::Index n = system.forces.cols(), m = g.cols();
@@ -139,7 +139,7 @@ FrictionAnswer DelassusFriction::solve(const PairStates& states, double) {
   scaled = (left.asDiagonal() * scaled * right.asDiagonal()).eval();
   double condition = 0.0;
   const Matrix inverse = generalInverse(scaled, condition);
-  FrictionAnswer answer;
+  ContactAnswer answer;
   answer.solved = condition < kSingular;
   if (!answer.solved) return answer;
   Vector x = Vector::Zero(n + m);
@@ -155,11 +155,11 @@ FrictionAnswer DelassusFriction::solve(const PairStates& states, double) {
   return answer;
 }
 
-FrictionAnswer DelassusFriction::answerOf(const PairStates& states) const {
+ContactAnswer DelassusFriction::answerOf(const PairStates& states) const {
   const auto pairs = static_cast<Eigen::Index>(states.size());
   const Vector deformed = delassus_.compliance() * force_, moved = delassus_.motions() * amplitude_;
   const Vector jump = delassus_.open() - deformed + moved;
-  FrictionAnswer answer;
+  ContactAnswer answer;
   answer.force = answer.jump = Matrix::Zero(pairs, 3);
   Vector deformation(pairs), digits(pairs);
   ClosedSet closed;
@@ -183,7 +183,7 @@ FrictionAnswer DelassusFriction::answerOf(const PairStates& states) const {
   return answer;
 }
 
-void DelassusFriction::report(const PairStates& states, const FrictionAnswer& answer) {
+void DelassusFriction::report(const PairStates& states, const ContactAnswer& answer) {
   ActiveSetStep step;
   double size = 0.0;
   for (std::size_t p = 0; p < states.size(); ++p) {

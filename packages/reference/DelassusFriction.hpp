@@ -18,7 +18,7 @@ class DelassusFriction : public LinearContactSolver {
   /// Both must outlive it. \param step  called after each solve
   DelassusFriction(const CondensedContact& problem, const Delassus& delassus, std::function<void(const ActiveSetStep&)> step);
 
-  FrictionAnswer solve(const PairStates& states, double tolerance) override;
+  ContactAnswer solve(const PairStates& states, double tolerance) override;
 
   /// Pairs as a rigid-body model, their laws by RigidContact::Pairs::line, and their sites.
   const RigidContact& rigid() const { return *rigid_; }
@@ -38,8 +38,8 @@ class DelassusFriction : public LinearContactSolver {
     Vector compliance;     // compliance of springs; zero for rows that are held
   };
   System systemOf(const PairStates& states) const;
-  FrictionAnswer answerOf(const PairStates& states) const;
-  void report(const PairStates& states, const FrictionAnswer& answer);
+  ContactAnswer answerOf(const PairStates& states) const;
+  void report(const PairStates& states, const ContactAnswer& answer);
 
   const CondensedContact& problem_;
   const Delassus& delassus_;

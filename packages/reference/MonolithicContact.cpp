@@ -1,4 +1,5 @@
 #include <suture/contact/DelassusProblem.hpp>
+#include <suture/contact/StateSearch.hpp>
 #include <suture/reference/Delassus.hpp>
 #include <suture/reference/MonolithicContact.hpp>
 
@@ -20,20 +21,20 @@ class MonitoredProblem : public DelassusProblem {
         problem_(problem),
         tell_(tell) {}
 
-  ContactAnswer solve(const ClosedSet& closed, int level) override {
-    ContactAnswer answer = DelassusProblem::solve(closed, level);
+  ContactAnswer solve(const PairStates& states, double tolerance) override {
+    ContactAnswer answer = DelassusProblem::solve(states, tolerance);
     double displacements = std::max(delassus_.open().cwiseAbs().maxCoeff(), problem_.bounds.cwiseAbs().maxCoeff());
     if (rigid_.motions() > 0) displacements = std::max(displacements, (rigid_.data().rows * state().amplitude).cwiseAbs().maxCoeff());
     if (displacements == 0.0) displacements = 1.0;
     ActiveSetStep step;
-    for (std::size_t i = 0; i < closed.size(); ++i) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
       const auto at = Eigen::Index(i);
       if (!rigid_.data().canChange[i]) continue;
-      step.active += closed[i] != 0;
-      const bool wrong =
-          closed[i] ? answer.force[at] < -answer.forceTolerance[at] : answer.penetration[at] > answer.penetrationTolerance[at];
-      step.changed += wrong;
-      const double by = closed[i] ? -answer.force[at] * delassus_.compliance()(at, at) : answer.penetration[at];
+      const bool closed = states[i].closed();
+      const double force = answer.force(at, 0), penetration = answer.jump(at, 0);
+      step.active += closed;
+      step.changed += closed ? force < -answer.forceTolerance(at) : penetration > answer.jumpTolerance(at);
+      const double by = closed ? -force * delassus_.compliance()(at, at) : penetration;
       step.residual = std::max(step.residual, by / displacements);
     }
     step.energy = delassus_.energy(state().force, state().amplitude);
@@ -58,19 +59,20 @@ ContactSolution solveCondensedContact(const CondensedContact& problem, std::vect
   ClosedSet start = active;
   for (std::size_t i = 0; i < start.size(); ++i) start[i] = start[i] && rigid.data().canChange[i];
   if (active.empty() || rigid.loosens(start)) start = rigid.start();
-  const ContactSearch::Result found = ContactSearch(rigid, oracle, iterations).run(start);
+  const StateSearch::Result found = StateSearch(rigid, oracle, iterations).run(statesOf(start));
 
   ContactSolution result;
   result.converged = found.converged;
-  result.failure =
-      found.failure.empty() && !found.converged ? "the active set did not converge within the given iterations" : found.failure;
-  result.force = found.force;
-  result.active = found.closed;
+  if (!found.converged) {
+    result.failure = found.slides.size() > 0 ? "the loads push a body away from all contacts that could hold it"
+                                             : "the active set did not converge within the given iterations";
+  }
+  result.force = found.normal.size() > 0 ? found.normal : Vector::Zero(rigid.pairs());
+  result.active = closedSet(found.states);
   // Prescribed rows carry no force; they are active if they touch.
   for (std::size_t i = 0; i < result.active.size(); ++i)
     if (!rigid.data().canChange[i]) result.active[i] = problem.bounds[Eigen::Index(i)] <= 0.0;
-  result.neutral = found.neutral;
-  result.x = delassus.displacement(found.force, oracle.state().amplitude);
+  result.x = delassus.displacement(result.force, oracle.state().amplitude);
   return result;
 }
 

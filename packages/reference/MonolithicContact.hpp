@@ -55,14 +55,13 @@ struct ContactSolution {
   Vector force;  ///< Lagrange multiplier of each row: the force on side B along the row
   std::vector<char> active;
   std::vector<ContactState> states{};  ///< states of the pairs; empty without friction
-  Matrix neutral;                      ///< combinations of kernel columns that change no force: x is not determined there
   Vector slides{};                     ///< without equilibrium: motion in which the loads exceed friction; else empty
   double contraction = 0.0;            ///< estimated contraction of the fixed point of Tresca problems; 0: unknown, or no pair slips
 };
 
 /// Exact solution by an active set on the compliance of the rows (Delassus matrix), H = C S^-1 C^T with the kernel as free unknowns a:
 ///     gap = H force - C Z a - h >= 0,   force >= 0,   gap . force = 0,   (C Z)^T force = Z^T f.
-/// Uses ContactSearch with dense factorisations. Problems with `pairs` are solved by solveFriction().
+/// Uses StateSearch with dense factorisations. Problems with `pairs` are solved by solveFriction().
 ///
 /// Rows without dofs (all components prescribed) never carry a force; they are active when their bound is not positive. A row with zero gap
 /// and zero force keeps its state. Local.

@@ -1,4 +1,5 @@
 #include <suture/base/Errors.hpp>
+#include <suture/contact/StateSearch.hpp>
 #include <suture/solver/ActiveSet.hpp>
 #include <suture/solver/FrictionMethod.hpp>
 #include <suture/solver/SetSolves.hpp>
@@ -39,9 +40,9 @@ void ActiveSet::search(Run& run, double innerTolerance) {
   }
   ClosedSet start = sets.closedSet(run.result.state.status);
   if (sets.bodies().rigid().loosens(start)) start = sets.closedSet(sets.padState().status);
-  ContactSearch search(sets.bodies().rigid(), solves, run.settings.maximumIterations);
-  const ContactSearch::Result found = search.run(start);
-  run.result.state.status = sets.statusOf(found.closed);
+  StateSearch search(sets.bodies().rigid(), solves, run.settings.maximumIterations);
+  const StateSearch::Result found = search.run(statesOf(start));
+  run.result.state.status = sets.statusOf(closedSet(found.states));
   if (found.converged) {
     run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
     if (run.atFloor && !run.done()) {
@@ -53,7 +54,7 @@ void ActiveSet::search(Run& run, double innerTolerance) {
     }
     return;
   }
-  if (run.result.failure.empty()) run.result.failure = found.failure;
+  run.result.slides = found.slides;
   run.result.unsettled = found.alternating;
 }
 

@@ -66,8 +66,8 @@ bool FrictionSolves::linear(InterfaceState& state, double tolerance, InnerResult
   return more.converged;
 }
 
-FrictionAnswer FrictionSolves::answerOf(const PairValues& values, const PairStates& states, double resolution) const {
-  FrictionAnswer answer;
+ContactAnswer FrictionSolves::answerOf(const PairValues& values, const PairStates& states, double resolution) const {
+  ContactAnswer answer;
   answer.force = values.force;
   answer.jump = values.jump;
   const RigidContact& rigid = sets_.bodies().rigid();
@@ -94,9 +94,9 @@ double FrictionSolves::norm(const PairValues& values, const InterfaceState& stat
   return whole;
 }
 
-FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance) {
+ContactAnswer FrictionSolves::solve(const PairStates& states, double tolerance) {
   const double final = tightest();
-  FrictionAnswer answer;
+  ContactAnswer answer;
   try {
     InterfaceState state = run_.result.state;
     state.status = friction_.statusOf(states);

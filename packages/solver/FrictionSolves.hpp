@@ -15,7 +15,7 @@ class FrictionSolves : public LinearContactSolver {
   double loosest() const override { return inner_; }
   bool couplesToNormal() const override { return friction_.couplesToNormal(); }
   double tightest() const override { return run_.settings.tolerance; }
-  FrictionAnswer solve(const PairStates& states, double tolerance) override;
+  ContactAnswer solve(const PairStates& states, double tolerance) override;
   bool goesOn() override { return !run_.stopRequested(); }
 
  private:
@@ -23,7 +23,7 @@ class FrictionSolves : public LinearContactSolver {
   bool linear(InterfaceState& state, double tolerance, InnerResult& cost, int& applications);
   double energyNorm(const InterfaceState& state) const;
   double norm(const PairValues& values, const InterfaceState& state, double& largest);
-  FrictionAnswer answerOf(const PairValues& values, const PairStates& states, double resolution) const;
+  ContactAnswer answerOf(const PairValues& values, const PairStates& states, double resolution) const;
 
   OuterSolver::Run& run_;
   const FrictionStates& friction_;

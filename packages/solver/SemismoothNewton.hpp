@@ -3,10 +3,9 @@
 
 namespace suture {
 
-/// Semismooth Newton on the condensed gradient: (S_0 + S_KON'(status at U)) dU = -grad J(U). A tangent is a set of closed pairs, and the
-/// groups' response to the trace gives the next one. ContactSearch tries these Newton sets first, before plain flips, and its safeguards
-/// make the method global: a tangent that leaves a body loose is given holders, and a cycle ends in safe steps. Starts from rigid bodies on
-/// pads, or from the auxiliary solution (Outer Solver/Start), from which it takes three to seven steps.
+/// Semismooth Newton on the condensed gradient: (S_0 + S_KON'(status at U)) dU = -grad J(U). A tangent is a set of closed pairs;
+/// StateSearch finds the next one and makes the method global. Starts from rigid bodies on pads, or from the auxiliary solution (Outer
+/// Solver/Start), where the groups' response to the trace gives the first set; from there it takes three to seven steps.
 class SemismoothNewton : public OuterSolver {
  public:
   static Schema schema();

@@ -21,11 +21,7 @@ constexpr double kOverestimate = 2.0;  // overestimate of the energy norm of the
 }  // namespace
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
-    : run_(run),
-      sets_(*run.problem.sets()),
-      inner_(std::max(inner, run.settings.tolerance)),
-      levels_(kFinal + 1),
-      step_(run.problem.space()->vector()) {
+    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
   largest_ = found_ = sets_.bodies().carriedEnergy();
   if (!run.fromAuxiliary) return;
   // The auxiliary solve can be resumed if there is one cluster, whose scaling it has.
@@ -49,10 +45,8 @@ void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<Int
   if (first) run_.describe(*matrix);
 }
 
-double SetSolves::tolerance(int level) const {
-  const double final = run_.settings.tolerance;
-  return sharper_ * (level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final);
-}
+/// Between the loosest and the tightest tolerance.
+double SetSolves::middle() const { return std::sqrt(inner_ * run_.settings.tolerance); }
 
 /// At the end the residual of each body is small compared with its energy, so its pairs have their own resolution.
 PairResolution SetSolves::finalResolution() const {
@@ -138,9 +132,9 @@ bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, 
 }
 
 /// Solves until the residual is small compared with the energy of the solution.
-bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications) {
-  const double tolerance = this->tolerance(level);
-  const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, level > 0);
+bool SetSolves::oneSolve(InterfaceState& state, bool goOn, double requested, InnerResult& cost, int& applications) {
+  const double tolerance = sharper_ * requested, final = tightest();
+  const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, requested <= middle());
   bool solved = solveLinear(state, goOn, tolerance, criterion, cost, applications);
   for (int again = 0; solved && again < kRescales; ++again) {
     const double over = overestimate(state, tolerance);
@@ -153,8 +147,8 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
     cost = std::move(more);
   }
   // Without an iteration nothing changes: the start was accurate enough already (e.g. a nested one). Use the next tolerance.
-  if (solved && level + 1 < levels() && cost.steps.empty() && cost.residual > this->tolerance(levels() - 1))
-    return oneSolve(state, goOn && run_.inner.canGoOn(), level + 1, cost, applications);
+  if (solved && requested > final && cost.steps.empty() && cost.residual > sharper_ * final)
+    return oneSolve(state, goOn && run_.inner.canGoOn(), requested > middle() ? middle() : final, cost, applications);
   if (solved) {
     found_ = found_.cwiseMax(sets_.energies(state));
     return true;
@@ -166,14 +160,15 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
   return false;
 }
 
-ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
-  const double final = run_.settings.tolerance;
+ContactAnswer SetSolves::solve(const PairStates& states, double tolerance) {
+  const double final = tightest();
+  const bool isFinal = tolerance <= final;
+  const ClosedSet closed = closedSet(states);
   ContactAnswer answer;
   bool goOn = closed == closed_ && run_.inner.canGoOn();
   if (!goOn) {
     findClusters(closed);
-    sharper_ =
-        level == kFinal ? std::max(sharper_, kKept) : 1.0;  // bodies that needed a smaller tolerance in the last set do in the next one
+    sharper_ = isFinal ? std::max(sharper_, kKept) : 1.0;  // bodies that needed a smaller tolerance in the last set do in the next one
   }
   closed_ = closed;
   double before = 0.0, wholeBefore = 0.0;
@@ -184,16 +179,16 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       state.status = sets_.statusOf(closed);
       InnerResult cost;
       int applications = 0;
-      if (!oneSolve(state, goOn, level, cost, applications)) {
+      if (!oneSolve(state, goOn, tolerance, cost, applications)) {
         answer.solved = false;
         closed_.clear();
         return answer;
       }
       // The accuracy of the states is that of the solve.
-      InterfaceProblem::Evaluation at = sets_.evaluateSet(state, {std::max(final, std::min(tolerance(level), cost.residual))});
+      InterfaceProblem::Evaluation at = sets_.evaluateSet(state, {std::max(final, std::min(sharper_ * tolerance, cost.residual))});
       double residual = cost.residual;
       bool drifted = false, sharpened = false;
-      if (level == kFinal || (at.settled && residual <= final)) {  // confirm the recursive residual by applying the operator
+      if (isFinal || (at.settled && residual <= final)) {  // confirm the recursive residual by applying the operator
         state.memory.reset();
         sets_.separate(state);
         applications += sets_.remember(state);
@@ -211,10 +206,11 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       if (!std::isfinite(residual)) throw NumericalError("a residual is not a number");
       cost.pcg += applications + at.applications;
       run_.result.otherApplications += applications + at.applications;
-      answer.force = at.force;
-      answer.penetration = at.penetration;
+      answer.force = answer.jump = Matrix::Zero(at.force.size(), 3);
+      answer.force.col(0) = at.force;
+      answer.jump.col(0) = at.penetration;
       answer.forceTolerance = at.forceTolerance;
-      answer.penetrationTolerance = at.penetrationTolerance;
+      answer.jumpTolerance = at.penetrationTolerance;
       answer.energy = at.energy;
       run_.accept(std::move(state), std::move(at), residual, cost, 1.0,
                   cost.energyErrors.empty() ? -1.0 : largestScale_ * cost.energyErrors.back());
@@ -236,31 +232,6 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
     closed_.clear();
     return answer;
   }
-}
-
-ContactOracle::Change SetSolves::redistribute(const ClosedSet& closed, const Vector& given) {
-  Change change;
-  InterfaceState state = run_.result.state;
-  state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
-  state.status = sets_.statusOf(closed);
-  closed_.clear();
-  try {
-    int applications = run_.problem.conform(state) + 1;
-    applications += sets_.remember(state);
-    const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
-    precondition(state, linear.matrix);
-    const MultiVectorPtr load = sets_.loadOf(given, state.status);
-    const InnerResult cost =
-        run_.inner.solve(linear.matrix, run_.preconditioner, *load, *step_, run_.settings.tolerance, 0.0, run_.monitor);
-    run_.result.pcgTotal += cost.pcg + applications;
-    run_.result.otherApplications += applications;
-    if (!cost.converged) return change;
-    sets_.pairChanges(*step_, state.status, given, change.force, change.penetration);
-  } catch (const NumericalError& error) {
-    run_.result.failure = error.what();
-    return Change();
-  }
-  return change;
 }
 
 void SetSolves::move(const Vector& motion) { sets_.move(run_.result.state, motion); }

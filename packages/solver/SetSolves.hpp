@@ -1,19 +1,18 @@
 #pragma once
-#include <suture/contact/ContactSearch.hpp>
+#include <suture/contact/LinearContactSolver.hpp>
 #include <suture/solver/OuterSolver.hpp>
 
 #include <vector>
 
 namespace suture {
 
-/// Linear solver of ContactSearch for closed sets on the interface: preconditioned conjugate gradients. Three levels of accuracy: the inner
-/// tolerance, the geometric mean of inner and final tolerance, and the final tolerance. Collective.
+/// Linear solver of StateSearch for frictionless contact on the interface: preconditioned conjugate gradients. Collective.
 ///
 /// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), for each cluster of bodies connected by
 /// closed pairs. S is block diagonal in clusters, and each block is scaled by its own energy for conjugate gradients, so that a weak
 /// cluster is solved as accurately as a strong one. At the end the residual of each body must also be small compared with the energy of the
 /// body.
-class SetSolves : public ContactOracle {
+class SetSolves : public LinearContactSolver {
  public:
   /// \param inner  tolerance of the loosest solves
   SetSolves(OuterSolver::Run& run, double inner);
@@ -21,12 +20,11 @@ class SetSolves : public ContactOracle {
   /// Evaluates the given start of a run; run.done() is true if it is the solution.
   void evaluateStart();
 
-  int levels() const override { return levels_; }
-  ContactAnswer solve(const ClosedSet& closed, int level) override;
-  Change redistribute(const ClosedSet& closed, const Vector& given) override;
+  double loosest() const override { return inner_; }
+  double tightest() const override { return run_.settings.tolerance; }
+  ContactAnswer solve(const PairStates& states, double tolerance) override;
   void move(const Vector& motion) override;
   Vector motion() const override { return run_.result.state.rigid; }
-  ClosedSet proposal() override { return sets_.proposal(run_.result.state); }
   bool goesOn() override { return !run_.done() && !run_.stopRequested(); }
 
  private:
@@ -40,19 +38,16 @@ class SetSolves : public ContactOracle {
   double overestimate(const InterfaceState& state, double tolerance) const;
   void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual, const InterfaceState& state);
-  double tolerance(int level) const;
+  double middle() const;
   PairResolution finalResolution() const;
   void chooseOrigin(const InterfaceState& from, InterfaceState& state, int& applications);
-  bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
+  bool oneSolve(InterfaceState& state, bool goOn, double requested, InnerResult& cost, int& applications);
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                    int& applications);
-
-  static constexpr int kFinal = 2;  // level of the final tolerance
 
   OuterSolver::Run& run_;
   const ContactSets& sets_;
   const double inner_;
-  const int levels_;
   MultiVectorPtr step_;
   ClosedSet closed_;                // set of the last solve; empty if it cannot be resumed
   ContactStates preconditioned_;    // states for which the preconditioner was made

@@ -64,7 +64,7 @@ TEUCHOS_UNIT_TEST(Collapse, FindsTheMultipleOfFrictionThatHoldsAPressFit) {
       const double needed = leastFriction(body), mu = needed / (trial % 2 == 0 ? 1.15 : 0.85);
       body.begin({dry(0.0, mu)}, std::vector<int>(body.nodes, 0));
       const PairStates states = body.all(PairStatus::Stick);
-      const FrictionAnswer answer = body.solve(states, 0.0);
+      const ContactAnswer answer = body.solve(states, 0.0);
       TEST_ASSERT(answer.solved);
       const Collapse::Result result =
           Collapse(*body.rigid, body.laws, body.sites, body).find(states, answer.force.col(0).cwiseMax(0.0), 12);
@@ -108,7 +108,7 @@ TEUCHOS_UNIT_TEST(Collapse, ReportsNothingWhereBodiesMeetOthers) {
   body.begin({dry(0.0, leastFriction(body) / 1.5)}, std::vector<int>(body.nodes, 0));
   PairStates states = body.all(PairStatus::Stick);
   states[0] = PairStatus::Open;
-  const FrictionAnswer answer = body.solve(states, 0.0);
+  const ContactAnswer answer = body.solve(states, 0.0);
   const Collapse::Result result = Collapse(*body.rigid, body.laws, body.sites, body).find(states, answer.force.col(0).cwiseMax(0.0), 12);
   TEST_EQUALITY(result.motion.size(), 0);
 }

@@ -83,7 +83,7 @@ struct CondensedBody : LinearContactSolver {
   }
 
   // One linear system in displacements and forces; unknown forces of rows that do not hold follow from the states.
-  FrictionAnswer solve(const PairStates& states, double) override {
+  ContactAnswer solve(const PairStates& states, double) override {
     ++solves;
     for (int i = 0; i < nodes; ++i) strange = strange || (laws.of(line[i]).rows(dimension) == 1 && states[i].status == PairStatus::Stick);
     const int n = nodes * dimension;
@@ -111,7 +111,7 @@ struct CondensedBody : LinearContactSolver {
         for (int j = 1; j < dimension; ++j) a(n + row, dimension * i + j) -= state.transverseStiffness * across[k] * across[j];
       }
     }
-    FrictionAnswer answer;
+    ContactAnswer answer;
     if (dense::rank(a) < 2 * n) {
       answer.solved = false;
       return answer;

@@ -135,4 +135,46 @@ TEUCHOS_UNIT_TEST(PadModel, OpenPadsHoldNothing) {
   TEST_COMPARE((work - groove.work).norm(), <, 1e-8);
 }
 
+/// Pads between bodies in a row along a line: pad i is between body i and body i + 1; walls before the first and behind the last.
+Matrix padsInARow(int bodies) {
+  Matrix rows = Matrix::Zero(bodies + 1, bodies);
+  for (int k = 0; k < bodies; ++k) rows(k, k) = -1.0, rows(k + 1, k) = 1.0;
+  return rows;
+}
+
+TEUCHOS_UNIT_TEST(PadModel, DistributesTheForceOfWalls) {
+  // The distance between the walls is 0.3 less than the total length of the bodies; pads in series carry equal forces.
+  const int bodies = 5;
+  const Vector compliance = Vector::LinSpaced(bodies + 1, 1.0, 6.0).cwiseInverse();
+  const PadModel::Equilibrium found =
+      PadModel::unilateral(padsInARow(bodies), Vector::Zero(bodies), Vector::Constant(bodies + 1, 0.05), compliance);
+  TEST_ASSERT(found.found);
+  TEST_COMPARE((found.force.col(0).array() - 0.3 / compliance.sum()).abs().maxCoeff(), <, 1e-9);
+}
+
+TEUCHOS_UNIT_TEST(PadModel, MovesUnloadedBodiesApart) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const int motions : {3, 12, 60}) {
+    const Matrix rows = Matrix::NullaryExpr(4 * motions, motions, [&] { return uniform(random); });
+    const Vector room = Vector::NullaryExpr(4 * motions, [&] { return std::max(uniform(random), 0.0); });  // half of the pads just touch
+    const Vector there = Vector::NullaryExpr(motions, [&] { return uniform(random); });
+    const Vector start = -rows * there - room, compliance = Vector::Ones(4 * motions);
+    const PadModel::Equilibrium found = PadModel::unilateral(rows, Vector::Zero(motions), start, compliance);
+    TEST_ASSERT(found.found);
+    const Vector at = start + rows * found.motion;
+    TEST_COMPARE(at.maxCoeff(), <, 1e-9 * start.maxCoeff());
+    TEST_COMPARE((at - found.trial.col(0)).cwiseAbs().maxCoeff(), <, 1e-12);
+  }
+}
+
+TEUCHOS_UNIT_TEST(PadModel, ReportsALoadThatNoPadStops) {
+  const Matrix rows = Matrix::Constant(1, 1, 1.0);
+  const Vector compliance = Vector::Ones(1), away = Vector::Constant(1, -1.0), against = Vector::Constant(1, 1.0);
+  TEST_ASSERT(!PadModel::unilateral(rows, away, Vector::Constant(1, 0.5), compliance).found);
+  const PadModel::Equilibrium found = PadModel::unilateral(rows, against, Vector::Constant(1, -0.5), compliance);
+  TEST_ASSERT(found.found);
+  TEST_FLOATING_EQUALITY(found.motion(0), 1.5, 1e-9);
+}
+
 }  // namespace

@@ -334,7 +334,7 @@ TEUCHOS_UNIT_TEST(StateSearch, KeepsAPairAtItsBoundWithLargeFriction) {
   const ContactLaws laws({dry(0.0, mu)});
   const std::vector<FrictionSite> sites{{{0, 0, 0}, 1.0, 1.0}};
   const LawProjection projection(rigid, laws, sites);
-  FrictionAnswer answer;
+  ContactAnswer answer;
   answer.force = answer.jump = Matrix::Zero(1, 3);
   answer.force.row(0) << 2.0, 3.0 * 0.6, -3.0 * 0.8;
   answer.forceTolerance = answer.jumpTolerance = Vector::Constant(1, size);

@@ -14,7 +14,7 @@ struct GivenBounds : CondensedBody {
   using CondensedBody::CondensedBody;
   bool follows = false;  // some state had friction in it
   bool couplesToNormal() const override { return false; }
-  FrictionAnswer solve(const PairStates& states, double tolerance) override {
+  ContactAnswer solve(const PairStates& states, double tolerance) override {
     for (const ContactState& state : states) follows = follows || state.couplesToNormal();
     return CondensedBody::solve(states, tolerance);
   }

@@ -232,7 +232,7 @@ TEUCHOS_UNIT_TEST(MonolithicContact, NamesTheMotionThatContactDoesNotHold) {
   problem.coefficients = {{1.0, -1.0}};
   const ContactSolution found = solveQuietly(problem);
   TEST_ASSERT(found.converged);
-  TEST_EQUALITY(found.neutral.cols(), 1);
+  TEST_ASSERT(found.force.isZero(0.0));
   problem.load = Vector::Ones(2);  // pushes it along that motion
   TEST_THROW(solveQuietly(problem), NumericalError);
 }

@@ -53,68 +53,6 @@ TEUCHOS_UNIT_TEST(ContactSets, ABodyThatNothingHoldsMovesWithoutForces) {
   }
 }
 
-TEUCHOS_UNIT_TEST(ContactSets, ChangesOfPairsAreDifferencesOfStates) {
-  for (const std::string& formulation : formulations())
-    for (const int every : {1, 2, 3}) {
-      const Held held(formulation, every);
-      const MultiVectorPtr step = someStep(*held.space(), 1e-3, 1.0);
-      const InterfaceEvaluation before = held.sets.evaluateSet(held.state, {0.0}), after = held.sets.evaluateSet(held.after(*step), {0.0});
-      Vector force, penetration;
-      held.sets.pairChanges(*step, held.state.status, Vector::Zero(held.rigid().pairs()), force, penetration);
-      const Vector forces = after.force - before.force, penetrations = after.penetration - before.penetration;
-      double apart = 0.0, further = 0.0;
-      for (int i = 0; i < held.rigid().pairs(); ++i) {
-        if (held.closed[i]) apart = std::max(apart, std::abs(force(i) - forces(i)));
-        if (!held.closed[i]) further = std::max(further, std::abs(penetration(i) - penetrations(i)));
-      }
-      out << formulation << ", every " << every << ": forces " << apart << " of " << forces.norm() << ", penetrations " << further << "\n";
-      TEST_COMPARE(forces.norm(), >, 0.0);
-      TEST_COMPARE(apart, <, 1e-9 * (forces.norm() + after.force.norm()));
-      TEST_COMPARE(further, <, 1e-12 + 1e-9 * penetrations.norm());
-    }
-}
-
-/// Betti: the work of one system of pair forces on the penetrations of another is symmetric; pair forces push sides apart.
-TEUCHOS_UNIT_TEST(ContactSets, PairForcesAreReciprocal) {
-  for (const std::string& formulation : formulations()) {
-    const Held held(formulation, 4);
-    const InterfaceProblem::Linearisation linear = held.problem->linearise(held.state);
-    std::vector<Vector> forces, changes;
-    for (const double seed : {1.0, 2.0}) {
-      Vector push = Vector::Zero(held.rigid().pairs());
-      for (int i = 0; i < held.rigid().pairs(); ++i)
-        if (!held.closed[i] && held.rigid().data().canChange[i]) push(i) = 1e-3 * (1.0 + std::sin(seed * i));
-      const MultiVectorPtr right = held.sets.loadOf(push, held.state.status), x = linear.matrix->space()->vector();
-      MultiVector r(*right, Teuchos::Copy), p(*right, Teuchos::Copy);
-      double rho = dot(r, r);
-      const double first = rho;
-      TEST_COMPARE(first, >, 0.0);
-      for (int k = 0; k < 4000 && rho > 1e-28 * first; ++k) {
-        const MultiVectorPtr q = linear.matrix->space()->vector();
-        linear.matrix->apply(p, *q);
-        const double alpha = rho / dot(p, *q);
-        x->update(alpha, p, 1.0);
-        r.update(-alpha, *q, 1.0);
-        const double next = dot(r, r);
-        p.update(1.0, r, next / rho);
-        rho = next;
-      }
-      Vector force, penetration;
-      held.sets.pairChanges(*x, held.state.status, push, force, penetration);
-      for (int i = 0; i < held.rigid().pairs(); ++i) {
-        if (push(i) > 0.0) TEST_FLOATING_EQUALITY(force(i), push(i), 1e-12);
-        if (held.closed[i]) penetration(i) = 0.0;
-      }
-      forces.push_back(push);
-      changes.push_back(penetration);
-      TEST_COMPARE(push.dot(penetration), <, 0.0);
-    }
-    const double there = forces[0].dot(changes[1]), back = forces[1].dot(changes[0]);
-    out << formulation << ": " << there << " and " << back << "\n";
-    TEST_FLOATING_EQUALITY(there, back, 1e-8);
-  }
-}
-
 TEUCHOS_UNIT_TEST(ContactSets, RigidMotionsPutBesideTheTraceAreTheSameState) {
   for (const std::string& formulation : formulations()) {
     const Held held(formulation, 0);
