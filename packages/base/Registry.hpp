@@ -95,6 +95,10 @@ struct Registration {
   Registration(const std::string& name, const Schema& schema, typename Registry<Base>::Maker maker) {
     Registry<Base>::instance().add(name, schema, std::move(maker));
   }
+  /// \param schema  called when it is needed: it may name strategies that are registered later
+  Registration(const std::string& name, std::function<Schema()> schema, typename Registry<Base>::Maker maker) {
+    Registry<Base>::instance().add(name, std::move(schema), std::move(maker));
+  }
 };
 
 }  // namespace suture

@@ -81,4 +81,10 @@ std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constra
   return rows;
 }
 
+ContactState pressedState(const ContactRow& row, const ContactLaw& law) {
+  if (!law.separates()) return law.pressed();
+  if (!row.able()) return {};
+  return row.restrictsSliding() ? ContactState(PairStatus::Slip) : law.pressed();
+}
+
 }  // namespace suture

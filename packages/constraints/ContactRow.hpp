@@ -48,4 +48,7 @@ std::vector<Point> rowDirections(const ContactPair& pair, int dimension);
 /// Rows of all pairs, in their order, as many per pair as its law restricts. Cost proportional to nodes and pairs. Local (rank 0).
 std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constraints);
 
+/// State of a row's pair in a set of closed pairs: without friction, except for pairs that never open; open if nothing can change.
+ContactState pressedState(const ContactRow& row, const ContactLaw& law);
+
 }  // namespace suture

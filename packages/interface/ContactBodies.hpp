@@ -3,7 +3,7 @@
 #include <suture/base/Types.hpp>
 #include <suture/constraints/ContactLaw.hpp>
 #include <suture/constraints/RigidMotion.hpp>
-#include <suture/contact/RigidContact.hpp>
+#include <suture/search/RigidContact.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Progress.hpp>
-#include <suture/contact/ContactRows.hpp>
+#include <suture/constraints/ContactRow.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/interface/PlainFlips.hpp>
 #include <suture/interface/SeamLayout.hpp>

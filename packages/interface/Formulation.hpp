@@ -25,6 +25,7 @@ struct LocalAlgebra {
 class Formulation {
  public:
   static const char* kind() { return "formulation"; }
+  static constexpr const char* kOnTheInterface = "Contact On The Interface";  ///< the default
   virtual ~Formulation() = default;
 
   /// True if all subdomains of a contact group must be on one rank.

@@ -3,9 +3,9 @@
 #include <suture/base/Types.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/constraints/ContactLaw.hpp>
-#include <suture/contact/LinearContactSolver.hpp>
 #include <suture/interface/ContactBodies.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
+#include <suture/search/LinearContactSolver.hpp>
 
 #include <map>
 #include <memory>

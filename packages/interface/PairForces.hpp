@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
-#include <suture/contact/LinearContactSolver.hpp>
+#include <suture/search/LinearContactSolver.hpp>
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/ContactLaw.hpp>
-#include <suture/contact/RigidContact.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
+#include <suture/search/RigidContact.hpp>
 
 namespace suture {
 

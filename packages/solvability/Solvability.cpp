@@ -2,10 +2,10 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/contact/PadModel.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/pairing/PairFrame.hpp>
+#include <suture/search/PadModel.hpp>
 #include <suture/solvability/Solvability.hpp>
 
 #include <algorithm>

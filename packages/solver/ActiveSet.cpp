@@ -1,5 +1,5 @@
 #include <suture/base/Errors.hpp>
-#include <suture/contact/StateSearch.hpp>
+#include <suture/search/StateSearch.hpp>
 #include <suture/solver/ActiveSet.hpp>
 #include <suture/solver/FrictionMethod.hpp>
 #include <suture/solver/SetSolves.hpp>

@@ -1,4 +1,4 @@
-#include <suture/contact/TrescaFixedPoint.hpp>
+#include <suture/base/Errors.hpp>
 #include <suture/solver/FrictionMethod.hpp>
 #include <suture/solver/FrictionSolves.hpp>
 
@@ -12,19 +12,15 @@ void searchFriction(OuterSolver::Run& run, double innerTolerance) {
   FrictionSolves solves(run, innerTolerance);
   PairStates start;
   if (run.given) start = friction.statesOf(run.result.state.status);
-  const int most = run.settings.maximumIterations;
-  StateSearch::Result found;
-  if (solves.couplesToNormal()) {
-    StateSearch search(rigid, friction.laws(), friction.sites(), solves, most);
-    if (start.empty()) start = search.start();
-    if (!run.given) run.result.state = friction.stateWith(start);
-    found = search.run(start);
-  } else {
-    if (!run.given) run.result.state = friction.stateWith(PairStates(static_cast<std::size_t>(rigid.pairs())));
-    TrescaFixedPoint search(rigid, friction.laws(), friction.sites(), solves, most);
-    found = search.run(start);
-  }
-  run.result.state.status = friction.statusOf(found.states);
+  if (!solves.couplesToNormal()) throw InternalError("a formulation whose bounds on friction must be given needs a method that finds them");
+  StateSearch search(rigid, friction.laws(), friction.sites(), solves, run.settings.maximumIterations);
+  if (start.empty()) start = search.start();
+  if (!run.given) run.result.state = friction.stateWith(start);
+  acceptSearch(run, search.run(start));
+}
+
+void acceptSearch(OuterSolver::Run& run, const StateSearch::Result& found) {
+  run.result.state.status = run.problem.friction()->statusOf(found.states);
   if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // failure of an earlier attempt
   if (found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;
   if (found.converged) {

@@ -1,9 +1,6 @@
 #include <suture/base/Timers.hpp>
 #include <suture/solver/ActiveSet.hpp>
-#include <suture/solver/Chord.hpp>
 #include <suture/solver/OuterSolver.hpp>
-#include <suture/solver/SemismoothNewton.hpp>
-#include <suture/solver/SuccessiveApproximation.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_MultiVector.hpp>
@@ -272,11 +269,6 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
 
 void registerBuiltIns(Registry<OuterSolver>& registry) {
   registry.add("Active Set", ActiveSet::schema(), [](const Parameters& own) { return std::make_unique<ActiveSet>(own); });
-  registry.add("Semismooth Newton", SemismoothNewton::schema(),
-               [](const Parameters& own) { return std::make_unique<SemismoothNewton>(own); });
-  registry.add("Chord", Chord::schema(), [](const Parameters& own) { return std::make_unique<Chord>(own); });
-  registry.add("Successive Approximation", SuccessiveApproximation::schema(),
-               [](const Parameters& own) { return std::make_unique<SuccessiveApproximation>(own); });
 }
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/contact/LinearContactSolver.hpp>
+#include <suture/search/LinearContactSolver.hpp>
 #include <suture/solver/OuterSolver.hpp>
 
 #include <vector>

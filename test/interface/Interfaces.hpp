@@ -1,6 +1,6 @@
 #pragma once
 #include <Teuchos_CommHelpers.hpp>
-#include <suture/interface/CondensedProblem.hpp>
+#include <suture/condensed/CondensedProblem.hpp>
 
 #include <set>
 #include <support/Blocks.hpp>

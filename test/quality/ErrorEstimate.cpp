@@ -4,10 +4,10 @@
 #include <support/Blocks.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/elasticity/ElementMap.hpp>
+#include <suture/monolithic/Monolithic.hpp>
 #include <suture/quality/AveragedEstimate.hpp>
 #include <suture/quality/ErrorEstimate.hpp>
 #include <suture/quality/PatchRecovery.hpp>
-#include <suture/reference/Monolithic.hpp>
 
 #include <algorithm>
 #include <cmath>

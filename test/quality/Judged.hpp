@@ -1,8 +1,8 @@
 #pragma once
 #include <interface/ContactScenes.hpp>
+#include <suture/monolithic/Monolithic.hpp>
 #include <suture/quality/Deformation.hpp>
 #include <suture/quality/Verify.hpp>
-#include <suture/reference/Monolithic.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
 

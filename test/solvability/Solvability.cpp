@@ -4,7 +4,7 @@
 #include <suture/constraints/FrictionLaws.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/Generators.hpp>
-#include <suture/reference/MonolithicSystem.hpp>
+#include <suture/monolithic/MonolithicSystem.hpp>
 #include <suture/solvability/Solvability.hpp>
 
 #include <support/DryLaw.hpp>

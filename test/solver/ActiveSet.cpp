@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/ContactMethods.hpp>
-#include <suture/interface/CondensedProblem.hpp>
+#include <suture/condensed/CondensedProblem.hpp>
 #include <suture/solver/ActiveSet.hpp>
 
 namespace suture {

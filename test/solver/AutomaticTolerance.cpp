@@ -5,7 +5,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <solver/ContactMethods.hpp>
-#include <suture/interface/CondensedProblem.hpp>
+#include <suture/condensed/CondensedProblem.hpp>
 
 namespace suture {
 namespace {

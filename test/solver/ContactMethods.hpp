@@ -1,7 +1,7 @@
 #pragma once
 #include <interface/ContactScenes.hpp>
+#include <suture/monolithic/Monolithic.hpp>
 #include <suture/precond/Preconditioner.hpp>
-#include <suture/reference/Monolithic.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/SolverSchema.hpp>
 

@@ -1,7 +1,7 @@
 // Every element against an exact solution of plane strain without body force: the order of its errors in the mesh size.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/ElementMap.hpp>
-#include <suture/reference/Monolithic.hpp>
+#include <suture/monolithic/Monolithic.hpp>
 
 #include "RoundScenes.hpp"
 

@@ -5,7 +5,7 @@
 #include <support/CheckSays.hpp>
 #include <support/DryLaw.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/interface/CondensedProblem.hpp>
+#include <suture/condensed/CondensedProblem.hpp>
 #include <suture/pairing/PairFrame.hpp>
 #include <suture/solver/SolveInterface.hpp>
 

@@ -1,6 +1,6 @@
 // Mixed elements as Poisson's ratio tends to 0.5; displacement elements do lock there.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/reference/Monolithic.hpp>
+#include <suture/monolithic/Monolithic.hpp>
 
 #include "RoundScenes.hpp"
 

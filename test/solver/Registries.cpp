@@ -2,7 +2,7 @@
 // the contact problem has the reference's solution.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/SceneChoices.hpp>
-#include <suture/interface/CondensedProblem.hpp>
+#include <suture/condensed/CondensedProblem.hpp>
 #include <suture/precond/PrimalConstraints.hpp>
 #include <suture/precond/Weighting.hpp>
 #include <suture/precond/coarse/CoarseSpace.hpp>

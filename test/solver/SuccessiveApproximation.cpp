@@ -3,9 +3,9 @@
 #include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/interface/CondensedProblem.hpp>
+#include <suture/condensed/CondensedProblem.hpp>
+#include <suture/monolithic/Monolithic.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/reference/Monolithic.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 

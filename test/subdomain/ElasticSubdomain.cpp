@@ -1,8 +1,8 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
-#include <suture/reference/Monolithic.hpp>
-#include <suture/reference/MonolithicSystem.hpp>
+#include <suture/monolithic/Monolithic.hpp>
+#include <suture/monolithic/MonolithicSystem.hpp>
 
 #include <support/Blocks.hpp>
 

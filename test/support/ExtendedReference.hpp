@@ -1,7 +1,7 @@
 #pragma once
 #include <support/SmallScenes.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
-#include <suture/reference/MonolithicSystem.hpp>
+#include <suture/monolithic/MonolithicSystem.hpp>
 
 #include <Eigen/SparseCore>
 #include <Teuchos_DefaultComm.hpp>

@@ -1,7 +1,7 @@
 // A contact group with its own search for closed pairs: the semismooth Newton method as an active set strategy (Hintermueller, Ito,
 // Kunisch, SIAM J. Optim. 13, 2002). In each step all pairs in tension open and all penetrating pairs close, until no pair changes.
 #include <Teuchos_ParameterList.hpp>
-#include <suture/contact/ContactGroup.hpp>
+#include <suture/condensed/ContactGroup.hpp>
 
 using namespace suture;
 

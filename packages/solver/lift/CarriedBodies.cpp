@@ -1,7 +1,7 @@
 #include <suture/base/Gather.hpp>
-#include <suture/contact/RigidContact.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/quality/PairResult.hpp>
+#include <suture/search/RigidContact.hpp>
 #include <suture/solver/lift/CarriedBodies.hpp>
 
 #include <Teuchos_Comm.hpp>

@@ -1,0 +1,115 @@
+#include <suture/base/AgreedDimension.hpp>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/monolithic/Reference.hpp>
+#include <suture/solver/MemoryEstimate.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+namespace suture {
+
+namespace {
+
+/// Nodal values of this rank's subdomains, received from rank 0 by global node numbers.
+std::vector<Vector> scatterToSubdomains(const Comm& comm, const Vector& whole, int dimension, const std::vector<SubdomainMesh>& meshes) {
+  Packer asked;
+  for (const SubdomainMesh& mesh : meshes) asked.put(mesh.globalNodes);
+  std::vector<std::string> answers(comm.getSize());
+  const std::vector<std::string> questions = gatherOnRoot(comm, asked.bytes());
+  collectivelyOnRoot(comm, "distributing the displacements", [&] {
+    for (std::size_t rank = 0; rank < questions.size(); ++rank) {
+      Packer answer;
+      Unpacker question(questions[rank]);
+      while (!question.done()) {
+        std::vector<double> values;
+        for (GlobalId node : question.get<std::vector<GlobalId>>())
+          for (int k = 0; k < dimension; ++k) values.push_back(whole(node * dimension + k));
+        answer.put(values);
+      }
+      answers[rank] = answer.bytes();
+    }
+  });
+  Unpacker mine(scatterFromRoot(comm, answers));
+  std::vector<Vector> displacement;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const auto values = mine.get<std::vector<double>>();
+    displacement.emplace_back(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())));
+  }
+  return displacement;
+}
+
+/// Figures of the result on rank 0 that all ranks need.
+struct Figures {
+  bool converged;
+  int iterations;
+  double residual, energy;
+};
+
+constexpr const char* kName = "Monolithic";
+
+}  // namespace
+
+Schema Reference::schema() {
+  return Schema(
+             "The whole system on one rank, by one factorisation with the contact unknowns last, and the same search for contact states as "
+             "the other methods; for small scenes and for comparison.")
+      .oneOf("Ordering", "Automatic", {"AMD", "Automatic", "METIS"},
+             "Order of the unknowns that are not in contact: METIS gives less fill than AMD but takes longer. Automatic: METIS in 3D.");
+}
+
+Reference::Reference(const Parameters& settings, const Parameters& own) {
+  options_.maximumIterations = settings.sublist("Outer Solver").get<int>("Maximum Iterations");
+  options_.ordering = CholmodOptions::orderingNamed(own.get<std::string>("Ordering"));
+}
+
+double Reference::megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const {
+  const int dimension = agreedDimensionOf(comm, meshes);
+  return comm.getRank() == 0 ? estimatedMonolithicMegabytes(unknowns, dimension) : programMegabytes();
+}
+
+void Reference::doAssemble(Subdomains) {
+  collectivelyOnRoot(*scene().comm, "assembling the monolithic system",
+                     [&] { system_ = std::make_unique<const MonolithicSystem>(scene().mesh, scene().constraints, scene().model); });
+}
+
+Solution Reference::doSolve(Monitor& monitor, const Start*, const Keep&) {
+  const Comm& comm = *scene().comm;
+  MonolithicResult result;
+  collectivelyOnRoot(comm, "the monolithic solver", [&] {
+    Monitor later;  // the rows are reported on all ranks below
+    result = solveMonolithic(scene().mesh, scene().constraints, *system_, options_, later);
+  });
+  Packer packer;
+  packer.put(Figures{result.converged, result.iterations, result.residual, result.energy});
+  packer.put(result.rows);
+  packer.put(result.failure);
+  packer.put(scene().constraints.pairs.size());
+  packer.put(scene().mesh.dimension);
+  Unpacker unpacker(broadcast(comm, packer.bytes()));
+  const auto figures = unpacker.get<Figures>();
+  for (const OuterRow& row : unpacker.get<std::vector<OuterRow>>()) monitor.outer(row);
+
+  Solution solution;
+  solution.converged = figures.converged;
+  solution.failure = unpacker.get<std::string>();
+  if (unpacker.get<std::size_t>() > 0) solution.outerSolver = kName;
+  solution.auxiliary.contact = !solution.outerSolver.empty();
+  solution.iterations = figures.iterations;
+  solution.residual = figures.residual;
+  solution.energy = figures.energy;
+  solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), scene().meshes);
+  std::vector<const SubdomainMesh*> pointers;
+  for (const SubdomainMesh& mesh : scene().meshes) pointers.push_back(&mesh);
+  solution.pairs = pairResults(comm, pointers, solution.displacement, result.forces);
+  return solution;
+}
+
+namespace {
+const Registration<Method> registration(kName, Reference::schema(), [](const Parameters& settings, const Parameters& own) {
+  return std::make_unique<Reference>(settings, own);
+});
+}  // namespace
+
+}  // namespace suture

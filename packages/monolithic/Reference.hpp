@@ -1,0 +1,32 @@
+#pragma once
+#include <suture/monolithic/Monolithic.hpp>
+#include <suture/monolithic/MonolithicSystem.hpp>
+#include <suture/solver/Method.hpp>
+
+#include <memory>
+
+namespace suture {
+
+/// The reference solver in a distributed run: rank 0 solves the whole system by one factorisation, all ranks receive their part of the
+/// solution. XML `Outer Solver/Type` = Monolithic.
+class Reference : public Method {
+ public:
+  static Schema schema();
+  Reference(const Parameters& settings, const Parameters& own);
+
+  bool needsWholeMesh() const override { return true; }
+  bool knowsFriction(const Parameters&) const override { return true; }
+  double megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const override;
+
+ protected:
+  bool needsLaw() const override { return true; }
+  void doAssemble(Subdomains subdomains) override;
+  /// \throws NumericalError, InputError
+  Solution doSolve(Monitor& monitor, const Start* start, const Keep& keep) override;
+
+ private:
+  MonolithicOptions options_;
+  std::unique_ptr<const MonolithicSystem> system_;  // on rank 0
+};
+
+}  // namespace suture

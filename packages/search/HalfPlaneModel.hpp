@@ -1,0 +1,22 @@
+#pragma once
+#include <suture/search/RigidContact.hpp>
+
+namespace suture {
+
+/// Half-plane model of bodies near the ends of their contact zones: normal displacements of a line of pairs under their forces decrease
+/// with the logarithm of the distance (Johnson, Contact Mechanics, 2.3). It predicts, without a linear solve, how a small set of pairs on
+/// both sides of each end responds if some of them change; forces farther away are kept. Local.
+class HalfPlaneModel {
+ public:
+  explicit HalfPlaneModel(const RigidContact& rigid) : rigid_(rigid) {}
+  /// Predicted closed set, starting from a state of the bodies. Along stretches of some hundred pairs whose signs change, the set given by
+  /// the signs is used.
+  /// \param closed, flipped      the set of the state, and the set given by the signs of its forces and penetrations
+  /// \param force, penetration   of the state: forces of closed pairs, penetrations of open ones
+  ClosedSet closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force, const Vector& penetration) const;
+
+ private:
+  const RigidContact& rigid_;
+};
+
+}  // namespace suture

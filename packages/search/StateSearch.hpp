@@ -1,0 +1,112 @@
+#pragma once
+#include <suture/search/LawProjection.hpp>
+#include <suture/search/PadModel.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// Finds the states (open, slip, stick) of contact pairs, for all laws, in 2D and 3D: forces l and jumps w with l = P(l + R w).
+///
+/// It uses linear problems of given states (LinearContactSolver), the laws (LawProjection) and rigid bodies on pads (PadModel):
+///   1. Limit analysis first: loads that forces within the cones cannot balance have no equilibrium.
+///   2. The initial states are those of the pads, without a solve.
+///   3. Semismooth Newton: the states of P(l + R w) at the current solution define the next linear problem. Combinations of solutions are
+///      in equilibrium, so a line search on the distance from the laws costs no solve; if no step reduces it, a full step is taken (with
+///      friction). If states cannot balance the loads, bodies are moved along the loads to states that hold them, or the states of the pads
+///      at t = c l + w are used.
+///   4. If the closed pairs leave bodies a motion in which no force does work (a ball between two plates turns about the line through its
+///      poles), a spring along a tangent of an open pair holds it, without force, at the current position. Without friction an open pair is
+///      closed, without force, and the body is then moved to where open pairs penetrate least.
+///   5. If the distance has not decreased for some steps, or without friction if states recur: a convex problem (all pairs frictionless) is
+///      solved by DualAscent, proven to end at the solution. With friction: Newton from the other side, with all pairs sticking, and from
+///      the states of the pads at earlier solutions, with different constants. Before that, bodies that slide as a whole in spite of
+///      elastic pressure are recognised by Collapse.
+/// The accuracy of the solves is tied to the distance from the laws.
+class StateSearch {
+ public:
+  struct Result {
+    bool converged = false;
+    Vector slides;          ///< rigid motion (RigidContact) of the driven bodies if there is no equilibrium; else empty
+    double multiple = 0.0;  ///< factor on friction that would hold them (Collapse); 0: unknown
+    PairStates states;
+    Vector normal;  ///< normal forces of the last solution [force]
+    int solves = 0;
+    double contraction = -1.0;     ///< estimated contraction of the fixed point of Tresca problems; negative: unknown
+    std::vector<int> alternating;  ///< pairs whose states did not settle
+  };
+
+  /// All arguments but the last must outlive it. \param most  maximum number of solves
+  /// \param normal  normal forces for the bounds of a Tresca problem [force]; empty: bounds follow the current normal forces
+  StateSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, LinearContactSolver& solver,
+              int most, const Vector& normal = {});
+  /// Frictionless contact: all pairs have Signorini's law.
+  StateSearch(const RigidContact& rigid, LinearContactSolver& solver, int most);
+  /// Switches the half-plane model off; used for the small problems of that model.
+  void withoutPrediction() { predicts_ = false; }
+
+  /// States of the pads, as initial guess.
+  PairStates start();
+  /// Normal forces of the pads, after start(). [force]
+  const Vector& guess() const { return guess_; }
+  /// \param isClose  the start is close to the solution: solves are accurate from the first one
+  Result run(PairStates start, bool isClose = false);
+  /// Rigid motion in which the loads overcome the resistance of all pairs, by limit analysis; empty: none. \param states  whose closed
+  /// pairs the motion keeps closed, if it can
+  Vector unbalanced(const PairStates& states) const;
+
+ private:
+  enum class End { Settled, Stalled, Exhausted, Failed };
+  /// Forces and jumps in equilibrium with the loads, and their distance from the laws.
+  struct Balance {
+    Matrix force, jump;
+    double distance = 0.0;
+  };
+
+  ContactAnswer solveHeld();
+  void moveLeast();
+  PairStates predicted(PairStates next) const;
+  End ascend();
+  void solveByGuess();
+  PairStates sticking() const;
+  bool collapses(Result& result);
+  End restart(End end);
+  Vector normalForces() const;
+  double contraction() const;
+  End newton(int most, int patience);
+  bool solve(PairStates& next, double& turns);
+  void sharpen(double distance, double turns);
+  bool step(PairStates& next);
+  bool advance(const PairStates& next, PairStates& found);
+  bool isNeutral(const PairStates& next, const Matrix& free) const;
+  void holdBySprings(PairStates& next, Matrix free) const;
+  bool differs(const PairStates& next) const;
+  PairStates held(PairStates next);
+  PairStates padStates(const PadModel::Equilibrium& pads) const;
+  PadModel::Equilibrium padsAt(const Balance& at, double softness) const;
+  bool fromPads(const Balance& at, double softness, PairStates& found) const;
+  PairStates withStabilisingPairs(PairStates next) const;
+  bool goesOn() const { return left_ > 0 && solver_.goesOn(); }
+
+  const RigidContact& rigid_;
+  const ContactLaws none_;  // laws and sites of the frictionless constructor
+  const std::vector<FrictionSite> bare_;
+  const ContactLaws& laws_;
+  const std::vector<FrictionSite>& sites_;
+  LinearContactSolver& solver_;
+  LawProjection projection_;
+  PadModel pads_;
+  bool isFrictionless_ = false, predicts_ = true;
+  int left_, solves_ = 0;
+  double tolerance_ = 0.0;
+  PairStates states_;
+  ContactAnswer answer_;
+  std::vector<int> violated_;
+  std::vector<PairStates> met_;  // states reached while bodies were moved
+  Balance at_, best_, first_;    // current, closest to the laws, and first one of a try
+  bool isNew_ = true;            // the next solution starts a new line: earlier ones are not comparable
+  Vector guess_, tresca_;        // normal forces of the pads, and of the Tresca problem with bounds from them
+};
+
+}  // namespace suture
