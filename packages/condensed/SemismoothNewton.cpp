@@ -1,7 +1,7 @@
 #include <suture/condensed/SemismoothNewton.hpp>
 #include <suture/condensed/TrescaFixedPoint.hpp>
+#include <suture/solver/AcceptSearch.hpp>
 #include <suture/solver/ActiveSet.hpp>
-#include <suture/solver/FrictionMethod.hpp>
 #include <suture/solver/FrictionSolves.hpp>
 
 #include <Teuchos_ParameterList.hpp>
@@ -37,7 +37,10 @@ void SemismoothNewton::doSolve(Run& run) const {
     start = friction->statesOf(run.result.state.status);
   else
     run.result.state = friction->stateWith(PairStates(static_cast<std::size_t>(rigid.pairs())));
-  acceptSearch(run, TrescaFixedPoint(rigid, friction->laws(), friction->sites(), solves, run.settings.maximumIterations).run(start));
+  const StateSearch::Result found =
+      TrescaFixedPoint(rigid, friction->laws(), friction->sites(), solves, run.settings.maximumIterations).run(start);
+  run.result.state.status = friction->statusOf(found.states);
+  acceptSearch(run, found);
 }
 
 namespace {

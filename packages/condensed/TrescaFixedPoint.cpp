@@ -85,7 +85,7 @@ StateSearch::Result TrescaFixedPoint::run(PairStates start) {
     normal = result.normal;
   }
   const double same = std::max(kSameForces, kSameAsSolved * solver_.tightest());
-  bool settled = false;  // a problem whose bounds are not those of its own solution is no solution
+  bool settled = false;  // the bounds of the last problem follow from its own normal forces
   while (left_ > 0 && solver_.goesOn()) {
     result = solve(start, normal, left_);
     if (result.normal.size() == 0) break;

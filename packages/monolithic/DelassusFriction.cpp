@@ -180,6 +180,7 @@ ContactAnswer DelassusFriction::answerOf(const PairStates& states) const {
   answer.forceTolerance =
       (kAccuracy * rigid_->clusterScale(closed, answer.force.rowwise().norm())).cwiseMax(digits.cwiseQuotient(rigid_->compliance()));
   answer.jumpTolerance = kAccuracy * rigid_->clusterScale(closed, deformation) + digits;
+  answer.energy = delassus_.energy(force_, amplitude_) - 0.5 * force_.dot(jump);
   return answer;
 }
 
@@ -194,8 +195,7 @@ void DelassusFriction::report(const PairStates& states, const ContactAnswer& ans
   last_ = states;
   const double apart = LawProjection(*rigid_, laws_, sites_).distance(states, answer.force, answer.jump);
   step.residual = std::sqrt(size > 0.0 ? apart / size : apart);
-  const Vector jump = delassus_.open() - delassus_.compliance() * force_ + delassus_.motions() * amplitude_;
-  step.energy = delassus_.energy(force_, amplitude_) - 0.5 * force_.dot(jump);
+  step.energy = answer.energy;
   step_(step);
 }
 

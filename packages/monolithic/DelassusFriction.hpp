@@ -19,6 +19,8 @@ class DelassusFriction : public LinearContactSolver {
   DelassusFriction(const CondensedContact& problem, const Delassus& delassus, std::function<void(const ActiveSetStep&)> step);
 
   ContactAnswer solve(const PairStates& states, double tolerance) override;
+  void move(const Vector& motion) override { amplitude_ += free_ * motion; }
+  Vector motion() const override { return free_.transpose() * amplitude_; }
 
   /// Pairs as a rigid-body model, their laws by RigidContact::Pairs::line, and their sites.
   const RigidContact& rigid() const { return *rigid_; }

@@ -21,7 +21,7 @@ struct ContactAnswer {
   Matrix jump;            ///< pairs x 3: penetration, and slip u_A - u_B of the load step [length]
   Vector forceTolerance;  ///< violation of each pair below which it counts as zero [force]
   Vector jumpTolerance;   ///< the same for penetrations [length]
-  double energy = 0.0;    ///< potential energy of the state; needed for frictionless contact
+  double energy = 0.0;    ///< potential energy of the state, without a constant
   bool solved = true;     ///< false: the linear solve failed; the reason is reported elsewhere
 };
 
@@ -37,9 +37,9 @@ class LinearContactSolver {
   /// \param tolerance  between tightest() and loosest()
   virtual ContactAnswer solve(const PairStates& states, double tolerance) = 0;
   /// Moves the state of the last solve rigidly, without changing forces. \param motion  amplitudes of RigidContact
-  virtual void move(const Vector& motion) { (void)motion; }
-  /// Amplitudes of the rigid motions in the last solve; empty: unknown.
-  virtual Vector motion() const { return {}; }
+  virtual void move(const Vector& motion) = 0;
+  /// Amplitudes of the rigid motions in the state of the last solve, which its jumps contain; empty: none.
+  virtual Vector motion() const = 0;
   /// False ends the search after the current step.
   virtual bool goesOn() { return true; }
 };

@@ -1,5 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/search/StateSearch.hpp>
+#include <suture/solver/AcceptSearch.hpp>
 #include <suture/solver/ActiveSet.hpp>
 #include <suture/solver/FrictionMethod.hpp>
 #include <suture/solver/SetSolves.hpp>
@@ -7,7 +8,6 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
-#include <sstream>
 
 namespace suture {
 
@@ -43,19 +43,7 @@ void ActiveSet::search(Run& run, double innerTolerance) {
   StateSearch search(sets.bodies().rigid(), solves, run.settings.maximumIterations);
   const StateSearch::Result found = search.run(statesOf(start));
   run.result.state.status = sets.statusOf(closedSet(found.states));
-  if (found.converged) {
-    run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
-    if (run.atFloor && !run.done()) {
-      std::ostringstream text;
-      text.precision(2);
-      text << std::scientific << "the residual stagnates at round-off: " << run.result.residual << ", above the tolerance of "
-           << run.settings.tolerance << "; this scene cannot be solved more accurately in this precision";
-      run.monitor.note(text.str());
-    }
-    return;
-  }
-  run.result.slides = found.slides;
-  run.result.unsettled = found.alternating;
+  acceptSearch(run, found);
 }
 
 }  // namespace suture

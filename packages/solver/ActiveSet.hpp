@@ -6,8 +6,8 @@ namespace suture {
 /// Active set on the interface for Contact On The Interface: StateSearch with conjugate gradients (SetSolves). Starts from rigid bodies
 /// on pads, without a linear solve, or with all pairs closed (Outer Solver/Start).
 ///
-/// Linear solves use the inner tolerance until the set no longer changes, then the geometric mean with the final tolerance, then the final
-/// tolerance; conjugate gradients are resumed as long as the set is unchanged.
+/// Linear solves use the inner tolerance, tightened with the distance from the contact laws, until the set no longer changes, then the
+/// final tolerance; conjugate gradients are resumed as long as the set is unchanged.
 class ActiveSet : public OuterSolver {
  public:
   static Schema schema();

@@ -1,5 +1,4 @@
 #pragma once
-#include <suture/search/StateSearch.hpp>
 #include <suture/solver/OuterSolver.hpp>
 
 namespace suture {
@@ -7,8 +6,5 @@ namespace suture {
 /// Frictional contact for the problem's FrictionStates, by StateSearch. Without a given start the first states are those of rigid bodies on
 /// pads. Collective. \param innerTolerance  of linear solves until the states no longer change
 void searchFriction(OuterSolver::Run& run, double innerTolerance);
-
-/// Ends a run with the result of a search for pairs with friction.
-void acceptSearch(OuterSolver::Run& run, const StateSearch::Result& found);
 
 }  // namespace suture

@@ -70,6 +70,7 @@ ContactAnswer FrictionSolves::answerOf(const PairValues& values, const PairState
   ContactAnswer answer;
   answer.force = values.force;
   answer.jump = values.jump;
+  answer.energy = values.energy;
   const RigidContact& rigid = sets_.bodies().rigid();
   ClosedSet closed;
   for (const ContactState& state : states) closed.push_back(state.closed());

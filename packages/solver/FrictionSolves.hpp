@@ -16,6 +16,8 @@ class FrictionSolves : public LinearContactSolver {
   bool couplesToNormal() const override { return friction_.couplesToNormal(); }
   double tightest() const override { return run_.settings.tolerance; }
   ContactAnswer solve(const PairStates& states, double tolerance) override;
+  void move(const Vector& motion) override { sets_.move(run_.result.state, motion); }
+  Vector motion() const override { return run_.result.state.rigid; }
   bool goesOn() override { return !run_.stopRequested(); }
 
  private:

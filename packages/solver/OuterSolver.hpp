@@ -29,7 +29,7 @@ struct OuterSettings {
 
 struct OuterResult : OuterFigures {
   InterfaceState state;
-  Vector slides;                            ///< motion of bodies that friction does not hold, if not converged; else empty
+  Vector slides;                            ///< motion of bodies that contact or friction does not hold, if not converged; else empty
   double multiple = 0.0;                    ///< factor on friction that would hold these bodies; 0: unknown
   std::vector<int> unsettled;               ///< pairs that changed between the last two sets, if not converged
   AutomaticTolerance::Recovered recovered;  ///< from the state, if an automatic tolerance needed it; else null

@@ -49,9 +49,10 @@ std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, co
          ", or Outer Solver/Type = Monolithic";
 }
 
-std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, double multiple) {
+std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, bool rubs,
+                       double multiple) {
   constexpr double kNone = 1e-8;  // relative to a unit motion
-  std::string text = "no equilibrium was found: friction does not hold";
+  std::string text = std::string("no equilibrium was found: ") + (rubs ? "friction" : "contact") + " does not hold";
   for (std::size_t p = 0; p < parts.parts().size(); ++p) {
     const RigidPart& part = parts.parts()[p];
     if (part.free.cols() == 0) continue;
@@ -59,6 +60,10 @@ std::string slidesAway(const ContactBodies& parts, const Vector& motion, const s
     if (own.norm() >= kNone) text += " body '" + bodies.at(part.body) + "', which can " + inWords(part, own, parts.dimension()) + ",";
   }
   text.back() = text.back() == ',' ? ':' : text.back();
+  if (!rubs)
+    return text +
+           " the loads push away from all pairs that could resist this motion. A prescribed displacement or an Elastic Support would "
+           "hold it";
   std::ostringstream friction;
   friction.precision(3);
   friction << (multiple > 0.0 ? "At these loads, friction " : "More friction");

@@ -36,9 +36,11 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& se
 std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
                       const std::vector<std::string>& bodies, bool atLimit = true);
 
-/// Message why there is no equilibrium: which bodies friction does not hold, and where they move. Local.
-/// \param motion  OuterResult::slides;  \param bodies  names;  \param multiple  factor on friction that would hold them; 0: unknown
-std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, double multiple = 0.0);
+/// Message why there is no equilibrium: which bodies contact or friction does not hold, and where they move. Local.
+/// \param motion  OuterResult::slides;  \param bodies  names;  \param rubs  false: no contact has friction;  \param multiple  factor on
+/// friction that would hold them; 0: unknown
+std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, bool rubs,
+                       double multiple = 0.0);
 
 /// Interior displacements, contact results and energy of the final state of the outer solver.
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,

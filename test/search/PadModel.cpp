@@ -177,4 +177,21 @@ TEUCHOS_UNIT_TEST(PadModel, ReportsALoadThatNoPadStops) {
   TEST_FLOATING_EQUALITY(found.motion(0), 1.5, 1e-9);
 }
 
+// A body rests on a soft pad beside a stiff one that presses the other way: forces of the soft pad balance the load, however soft it is.
+TEUCHOS_UNIT_TEST(PadModel, SoftPadsBalanceLoadsBesideStiffOnes) {
+  for (const double soft : {1.0, 1e-3, 1e-6, 1e-9}) {
+    RigidContact::Pairs pairs;
+    pairs.rows = (Matrix(2, 1) << 1.0, -1.0).finished();
+    pairs.penetration = Vector::Zero(2);
+    pairs.stiffness = (Vector(2) << soft, 1.0).finished();
+    pairs.line = {0, 1};
+    pairs.canChange = {1, 1};
+    pairs.work = Vector::Constant(1, 1.0);
+    TEST_EQUALITY(PadModel(pairs, std::vector<FrictionCone>(2)).unbalanced().size(), 0);
+    pairs.rows(1, 0) = 1.0;  // both press the same way
+    pairs.work = Vector::Constant(1, -1.0);
+    TEST_EQUALITY(PadModel(pairs, std::vector<FrictionCone>(2)).unbalanced().size(), 1);
+  }
+}
+
 }  // namespace

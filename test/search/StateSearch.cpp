@@ -18,7 +18,8 @@ TEUCHOS_UNIT_TEST(StateSearch, SolvesRandomProblemsOfAllLaws) {
                                                     {dry(0.2, 0.0)},
                                                     {dry(0.1, 0.2), dry(0.0, 0.0)},
                                                     {dry(0, 0.3), tied, guided, smooth},
-                                                    {dry(0, 0.3), smooth, dry(0.3, 0.0)}};
+                                                    {dry(0, 0.3), smooth, dry(0.3, 0.0)},
+                                                    {tied, smooth, guided, smooth}};
   int solved = 0, most = 0, open = 0, slip = 0, stick = 0;
   double worst = 0.0;
   for (int trial = 0; trial < 300; ++trial) {

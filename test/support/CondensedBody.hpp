@@ -124,12 +124,16 @@ struct CondensedBody : LinearContactSolver {
         answer.force(i, k) = x(n + dimension * i + k);
         if (!states[i].holds(k)) answer.jump(i, k) = u(dimension * i + k) - (k == 0 ? gap(i) : 0.0);
       }
+    answer.energy = 0.5 * u.dot(stiffness * u) - load.dot(u);
     const double size = answer.force.rowwise().norm().maxCoeff();
     answer.forceTolerance = Vector::Constant(nodes, 1e-11 * size);
     answer.jumpTolerance = Vector::Constant(nodes, 1e-12 * (u.cwiseAbs().maxCoeff() + gap.cwiseAbs().maxCoeff()));
     force = answer.force;
     return answer;
   }
+
+  void move(const Vector& motion) override { u += kernel * motion; }
+  Vector motion() const override { return kernel.transpose() * u / nodes; }
 
   /// Largest violation of the optimality conditions by the last solve, each condition separately; relative to the largest force.
   double violation() const {
