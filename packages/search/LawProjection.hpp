@@ -16,8 +16,7 @@ class LawProjection {
  public:
   /// The first three must outlive it. \param normal  normal forces for the bounds of a Tresca problem [force]; empty: bounds follow the
   /// current normal forces
-  LawProjection(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, Vector normal = {})
-      : rigid_(rigid), laws_(laws), sites_(sites), normal_(std::move(normal)) {}
+  LawProjection(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, Vector normal = {});
 
   /// Sets the fraction of the tangential stiffness in R.
   void setTangential(double part) { tangential_ = part; }
@@ -26,6 +25,8 @@ class LawProjection {
 
   /// True if the law of a pair restricts sliding.
   bool rubs(std::size_t pair) const { return laws_.of(rigid_.data().line[pair]).rows(2) > 1; }
+  /// True if no pair that can change has a law that restricts sliding.
+  bool isFrictionless() const { return frictionless_; }
   /// Tangential stiffness of both sides of a pair; zero if there is none. [force / length]
   double tangentialStiffness(std::size_t pair) const { return sites_[pair].tangential; }
   /// State of a pair at a trial force. \param now  current state;  \param force, jump  rows of the pair, the jump times R [force]
@@ -51,6 +52,7 @@ class LawProjection {
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
   double tangential_ = 0.05;
+  bool frictionless_ = true;
   Vector normal_;
 };
 

@@ -38,7 +38,8 @@ class LinearContactSolver {
   virtual ContactAnswer solve(const PairStates& states, double tolerance) = 0;
   /// Moves the state of the last solve rigidly, without changing forces. \param motion  amplitudes of RigidContact
   virtual void move(const Vector& motion) = 0;
-  /// Amplitudes of the rigid motions in the state of the last solve, which its jumps contain; empty: none.
+  /// Amplitudes of the rigid motions in the state of the last solve, as far as the solver keeps them apart from deformations; empty:
+  /// unknown.
   virtual Vector motion() const = 0;
   /// False ends the search after the current step.
   virtual bool goesOn() { return true; }

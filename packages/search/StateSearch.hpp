@@ -1,8 +1,7 @@
 #pragma once
-#include <suture/search/LawProjection.hpp>
-#include <suture/search/PadModel.hpp>
+#include <suture/search/DrivenBodies.hpp>
+#include <suture/search/PadStates.hpp>
 
-#include <memory>
 #include <vector>
 
 namespace suture {
@@ -58,11 +57,6 @@ class StateSearch {
 
  private:
   enum class End { Settled, Stalled, Exhausted, Failed };
-  /// Forces and jumps in equilibrium with the loads, and their distance from the laws.
-  struct Balance {
-    Matrix force, jump;
-    double distance = 0.0;
-  };
 
   ContactAnswer solveHeld();
   void moveLeast();
@@ -78,15 +72,11 @@ class StateSearch {
   bool solve(PairStates& next, double& turns);
   void sharpen(double distance, double turns);
   bool step(PairStates& next);
-  bool advance(const PairStates& next, PairStates& found);
-  bool isNeutral(const PairStates& next, const Matrix& free) const;
-  void holdBySprings(PairStates& next, Matrix free) const;
   bool differs(const PairStates& next) const;
   PairStates held(PairStates next);
-  PairStates padStates(const PadModel::Equilibrium& pads) const;
-  PadModel::Equilibrium padsAt(const Balance& at, double softness) const;
-  bool fromPads(const Balance& at, double softness, PairStates& found) const;
-  PairStates withStabilisingPairs(PairStates next) const;
+  PairStates stabilised(PairStates next) const;
+  double largest() const;
+  bool isFrictionless() const { return projection_.isFrictionless(); }
   bool goesOn() const { return left_ > 0 && solver_.goesOn(); }
 
   const RigidContact& rigid_;
@@ -96,17 +86,18 @@ class StateSearch {
   const std::vector<FrictionSite>& sites_;
   LinearContactSolver& solver_;
   LawProjection projection_;
-  PadModel pads_;
-  bool isFrictionless_ = false, predicts_ = true;
+  PadStates pads_;
+  StabilisingPairs stabilising_;
+  DrivenBodies driven_;
+  bool predicts_ = true;
   int left_, solves_ = 0;
   double tolerance_ = 0.0;
   PairStates states_;
   ContactAnswer answer_;
   std::vector<int> violated_;
-  std::vector<PairStates> met_;  // states reached while bodies were moved
-  Balance at_, best_, first_;    // current, closest to the laws, and first one of a try
-  bool isNew_ = true;            // the next solution starts a new line: earlier ones are not comparable
-  Vector guess_, tresca_;        // normal forces of the pads, and of the Tresca problem with bounds from them
+  ContactBalance at_, best_, first_;  // current, closest to the laws, and first one of a try
+  bool isNew_ = true;                 // the next solution starts a new line: earlier ones are not comparable
+  Vector guess_, tresca_;             // normal forces of the pads, and of the Tresca problem with bounds from them
 };
 
 }  // namespace suture

@@ -1,0 +1,32 @@
+#pragma once
+#include <suture/search/ContactBalance.hpp>
+#include <suture/search/StabilisingPairs.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// Moves bodies that states leave unconstrained along the excess of the loads over the pairs' forces, until the laws give states that hold
+/// them better. Forces stay in equilibrium, because the motion is rigid. States reached once are not reached again. Local.
+class DrivenBodies {
+ public:
+  /// All arguments must outlive it.
+  DrivenBodies(const RigidContact& rigid, const LawProjection& projection, const StabilisingPairs& stabilising)
+      : rigid_(rigid), projection_(projection), stabilising_(stabilising) {}
+
+  /// \param now, balance  states and forces of the current solution;  \param next  states that the laws give there
+  /// \param largest, inVain  as in StabilisingPairs::addedTo
+  /// \param found  receives states that hold the bodies. False if no motion is driven, or if only states reached before hold it
+  bool advance(const PairStates& now, const ContactBalance& balance, const PairStates& next, double largest, const std::vector<int>& inVain,
+               PairStates& found);
+
+ private:
+  Vector motion(const ContactBalance& balance, const PairStates& next, const Matrix& free) const;
+
+  const RigidContact& rigid_;
+  const LawProjection& projection_;
+  const StabilisingPairs& stabilising_;
+  std::vector<PairStates> met_;
+};
+
+}  // namespace suture
