@@ -10,6 +10,7 @@ std::vector<PairForces> pairForces(const ContactGroup& group, const ContactGroup
   const Vector lift = moved.size() > 0 ? moved : Vector::Zero(rows.rows.rows());
   const Vector reached = rows.rows * response.displacement + lift - rows.gap;
   const Vector digits = rows.rows.cwiseAbs() * response.displacement.cwiseAbs();
+  const Vector entries = rows.rows.cwiseAbs() * Vector::Ones(rows.rows.cols());
   std::vector<PairForces> pairs(static_cast<std::size_t>(rows.size()));
   for (int i = 0; i < rows.size(); ++i) {
     PairForces& pair = pairs[static_cast<std::size_t>(i)];
@@ -20,6 +21,7 @@ std::vector<PairForces> pairForces(const ContactGroup& group, const ContactGroup
       if (const int row = rows.rowOf(i, component); row >= 0) {
         pair.slip[component] = reached(row);
         pair.held[component] = response.force(row);
+        pair.isPrescribed[static_cast<std::size_t>(component)] = entries(row) == 0.0;
       }
   }
   return pairs;

@@ -163,7 +163,10 @@ PairForces ContactInterfaceProblem::pairForces(int row, const Vector& force, con
   pair.gap = gaps(row);
   pair.slip = slipOf(row, gaps);
   for (int component = 1; component <= 2; ++component)
-    if (const int tangent = clusters_->rowOf(row, component); tangent >= 0) pair.held[component] = force(tangent);
+    if (const int tangent = clusters_->rowOf(row, component); tangent >= 0) {
+      pair.held[component] = force(tangent);
+      pair.isPrescribed[static_cast<std::size_t>(component)] = clusters_->row(tangent).places.empty();
+    }
   return pair;
 }
 

@@ -29,7 +29,7 @@ void putPair(const ContactState& state, const PairForces& pair, Matrix& all, Eig
   (state.closed() ? all(row, 0) : all(row, 3)) = state.closed() ? pair.normal : -pair.gap;
   for (int component = 1; component <= 2; ++component) {
     all(row, component) = force[component];
-    if (!state.holds(component)) all(row, 3 + component) = pair.slip[component];
+    if (!state.holds(component) || pair.isPrescribed[static_cast<std::size_t>(component)]) all(row, 3 + component) = pair.slip[component];
   }
   all(row, 6) = kGapDigits * pair.digits;
 }

@@ -43,7 +43,9 @@ ContactTrial LawProjection::trialOf(std::size_t pair) const {
 
 Point LawProjection::stiff(std::size_t pair, const Matrix& jump) const {
   const auto at = static_cast<Eigen::Index>(pair);
-  const double tangential = tangential_ * sites_[pair].tangential;
+  double tangential = tangential_ * sites_[pair].tangential;
+  // A pair whose slip is prescribed slides along it.
+  if (const double slip = std::hypot(jump(at, 1), jump(at, 2)); !(tangential > 0.0) && slip > 0.0) tangential = kLawPushed / slip;
   return {kNormal * rigid_.data().stiffness(at) * jump(at, 0), tangential * jump(at, 1), tangential * jump(at, 2)};
 }
 
@@ -100,7 +102,10 @@ PairStates LawProjection::believed(const PairStates& now, const ContactAnswer& a
     for (int k = 1; k <= 2; ++k) force[k] = answer.force(at, k);
     if (now[i].status == PairStatus::Stick) {
       const double size = std::hypot(force[1], force[2]), less = size > 0.0 ? std::max(0.0, 1.0 - tolerance / size) : 0.0;
-      for (int k = 1; k <= 2; ++k) force[k] *= less, jump[k] = 0.0;
+      // Only prescribed displacements move a sticking pair: it slides.
+      const double slip = std::hypot(answer.jump(at, 1), answer.jump(at, 2)),
+                   push = slip > answer.jumpTolerance(at) ? kLawPushed / slip : 0.0;
+      for (int k = 1; k <= 2; ++k) force[k] *= less, jump[k] = push * answer.jump(at, k);
     } else if (now[i].status == PairStatus::Slip) {
       for (int k = 1; k <= 2; ++k) force[k] += (1.0 + now[i].friction) * tolerance * now[i].direction[k];  // beyond the bound at force[0]
     }
