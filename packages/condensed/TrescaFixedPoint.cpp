@@ -50,7 +50,7 @@ bool TrescaFixedPoint::next(Vector& normal, const Vector& found, double same) {
 
 StateSearch::Result TrescaFixedPoint::solve(const PairStates& start, const Vector& normal, int most) {
   StateSearch search(rigid_, laws_, sites_, solver_, std::min(most, left_), normal);
-  StateSearch::Result result = search.run(start, bounds_.cols() > 0);
+  StateSearch::Result result = search.run(start, bounds_.cols() > 0 ? StateSearch::Start::Solution : StateSearch::Start::Guess);
   left_ -= result.solves;
   solves_ += result.solves;
   return result;

@@ -15,6 +15,7 @@ constexpr double kStateTurned = 1.0;      // turn that counts as zero, relative 
 constexpr double kStateSharper = 0.1;     // accuracy of the next solve, relative to the turn in the current one
 constexpr double kStateForcing = 0.1;     // accuracy of the next solve, relative to the distance from the laws
 constexpr double kComparable = 0.5;       // change of the accuracy up to which solutions are comparable with earlier ones
+constexpr double kNearStart = 0.75;       // accuracy of the first solve near the solution, as a power of the range of accuracies
 constexpr int kStateHalvings = 9;         // halvings of a step
 constexpr double kStateLeastFall = 2e-4;  // least decrease of the squared distance, relative to it and to the step
 constexpr double kStateProgress = 1e-6;   // relative decrease of the distance that counts as progress
@@ -375,12 +376,14 @@ StateSearch::End StateSearch::restart(End end) {
   return end;
 }
 
-StateSearch::Result StateSearch::run(PairStates start, bool isClose) {
+StateSearch::Result StateSearch::run(PairStates start, Start nearness) {
   Result result;
   result.states = states_ = stabilised(projection_.isFrozen() ? projection_.refrozen(std::move(start)) : std::move(start));
   if (!projection_.isFrozen()) result.slides = unbalanced(states_);
   if (result.slides.size() > 0) return result;
-  tolerance_ = isClose ? solver_.tightest() : solver_.loosest();
+  const double last = solver_.tightest(), first = solver_.loosest();
+  tolerance_ = nearness == Start::Guess ? first : last;
+  if (nearness == Start::Near && last > 0.0) tolerance_ = last * std::pow(first / last, kNearStart);
   solveByGuess();
   End end = newton(std::numeric_limits<int>::max(), kStatePatience);
   if (end != End::Settled && isFrictionless())

@@ -49,8 +49,13 @@ class StateSearch {
   PairStates start();
   /// Normal forces of the pads, after start(). [force]
   const Vector& guess() const { return guess_; }
-  /// \param isClose  the start is close to the solution: solves are accurate from the first one
-  Result run(PairStates start, bool isClose = false);
+  /// How near the start is to the solution, which sets the accuracy of the first solve.
+  enum class Start {
+    Guess,    ///< as inaccurate as the solver allows
+    Near,     ///< the solution of the last load step or of a coarser mesh: changes are small compared with the solution
+    Solution  ///< of nearly the same problem: accurate from the first solve
+  };
+  Result run(PairStates start, Start nearness = Start::Guess);
   /// Rigid motion in which the loads overcome the resistance of all pairs, by limit analysis; empty: none. \param states  whose closed
   /// pairs the motion keeps closed, if it can
   Vector unbalanced(const PairStates& states) const;

@@ -15,7 +15,7 @@ void searchFriction(OuterSolver::Run& run, double innerTolerance) {
   StateSearch search(rigid, friction.laws(), friction.sites(), solves, run.settings.maximumIterations);
   if (start.empty()) start = search.start();
   if (!run.given) run.result.state = friction.stateWith(start);
-  const StateSearch::Result found = search.run(start);
+  const StateSearch::Result found = search.run(start, run.given ? StateSearch::Start::Near : StateSearch::Start::Guess);
   run.result.state.status = friction.statusOf(found.states);
   acceptSearch(run, found);
 }

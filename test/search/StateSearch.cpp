@@ -369,5 +369,31 @@ TEUCHOS_UNIT_TEST(StateSearch, GoesOnFromItsOwnSolutionWithOneSolve) {
   }
 }
 
+/// Records the accuracies that a search requests.
+struct Inexact : CondensedBody {
+  std::vector<double> tolerances;
+  using CondensedBody::CondensedBody;
+  double loosest() const override { return 1e-2; }
+  double tightest() const override { return 1e-8; }
+  ContactAnswer solve(const PairStates& states, double tolerance) override {
+    tolerances.push_back(tolerance);
+    return CondensedBody::solve(states, tolerance);
+  }
+};
+
+TEUCHOS_UNIT_TEST(StateSearch, SolvesAsAccuratelyAsTheStartIsNear) {
+  std::mt19937 random(51);
+  for (const auto& [start, first] : {std::make_pair(StateSearch::Start::Guess, 1e-2), std::make_pair(StateSearch::Start::Near, 3.16228e-4),
+                                     std::make_pair(StateSearch::Start::Solution, 1e-8)}) {
+    Inexact body(2, 6);
+    body.random(random, false);
+    body.begin({dry(0.0, 0.3)}, std::vector<int>(6, 0));
+    StateSearch search(*body.rigid, body.laws, body.sites, body, 100);
+    TEST_ASSERT(search.run(body.all(PairStatus::Stick), start).converged);
+    TEST_FLOATING_EQUALITY(body.tolerances.front(), first, 1e-5);
+    TEST_EQUALITY(body.tolerances.back(), 1e-8);
+  }
+}
+
 }  // namespace
 }  // namespace suture
