@@ -28,7 +28,7 @@ Schema LoadSteps::schema() {
   Schema steps("Load steps, for contact whose solution depends on the order of the loads. Without Times: one step, without history.");
   steps.reals(kTimes, std::vector<double>(), "Ends of the steps; the path starts at 0 with undeformed bodies.");
   steps.real("Largest Change", kLargestChange,
-             "Fraction of the contact pairs that may open, close, stick or slip in one step with friction; if more do, the step is halved.",
+             "Fraction of the contact pairs that may open, close or begin to slip in one step with friction; if more do, the step is halved.",
              {0.0, 1.0, true, false, {}});
   steps.integer("Halvings", kHalvings, "How often a step may be halved, because it failed or because of Largest Change.",
                 {0.0, 30.0, false, false, {}});

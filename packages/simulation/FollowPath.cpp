@@ -176,11 +176,11 @@ void Simulation::followPath() {
     row.pcg += solution.pcgTotal + solution.auxiliary.pcg;
     const bool isSolved = solution.converged && solution.undetermined.empty() && solution.verification.holds();
     const int stop = solution.stopped || monitor_.stopRequested();
-    int anyStop = 0, changed = isSolved && hasBefore ? changedPairs(before.pairs, solution.pairs) : 0;
+    int anyStop = 0, changed = isSolved && hasBefore ? changedWithin(before.pairs, solution.pairs) : 0;
     Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, stop, Teuchos::outArg(anyStop));
     broadcastBytes(*comm_, &changed, sizeof changed);
     const double allowed = scene_.laws.restrictSliding() ? scene_.steps.largestChange() * size_.pairs : size_.pairs;
-    // If half the step changes as many pairs (a load reversal), they change at once, and no step is short enough.
+    // If half the step changes as many pairs (a body begins to slide), they change at once, and no step is short enough.
     const bool isSudden = isSolved && changed >= kSudden * changedBefore && changedBefore >= kSudden * changedFirst && changedFirst > 0;
     const bool isTooLong = (!isSolved && anyStop == 0) || (changed > allowed && !isSudden);
     changedFirst = std::exchange(changedBefore, changed);

@@ -95,6 +95,13 @@ PathState LoadPath::state(const std::vector<PairResult>& pairs) const {
   return state;
 }
 
+int changedWithin(const std::vector<PairResult>& before, const std::vector<PairResult>& now) {
+  int stopped = 0;
+  for (std::size_t i = 0; i < now.size() && i < before.size(); ++i)
+    stopped += before[i].state.status == PairStatus::Slip && now[i].state.status == PairStatus::Stick;
+  return changedPairs(before, now) - stopped;
+}
+
 int changedPairs(const std::vector<PairResult>& before, const std::vector<PairResult>& now) {
   int changed = 0;
   for (std::size_t i = 0; i < now.size() && i < before.size(); ++i) changed += before[i].state.status != now[i].state.status;

@@ -4,6 +4,7 @@
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/report/SceneSchema.hpp>
+#include <suture/simulation/LoadPath.hpp>
 #include <suture/simulation/Simulation.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -173,6 +174,20 @@ TEUCHOS_UNIT_TEST(LoadSteps, AStepInWhichManyPairsChangeIsHalved) {
   TEST_ASSERT(whole.summary.find("\"count\": 2") != std::string::npos);
   TEST_ASSERT(halved.summary.find("\"count\": 2") == std::string::npos);
   TEST_ASSERT(halved.summary.find("\"work\"") != std::string::npos);
+}
+
+// The end of slip at a load reversal needs no shorter steps; its beginning, and changes between open and closed, do.
+TEUCHOS_UNIT_TEST(LoadSteps, OnlyTheEndOfSlipNeedsNoShorterSteps) {
+  const PairStatus all[] = {PairStatus::Open, PairStatus::Slip, PairStatus::Stick};
+  std::vector<PairResult> before, now;
+  for (const PairStatus from : all)
+    for (const PairStatus to : all) {
+      before.emplace_back().state = from;
+      now.emplace_back().state = to;
+    }
+  TEST_EQUALITY(changedPairs(before, now), 6);
+  TEST_EQUALITY(changedWithin(before, now), 5);
+  TEST_EQUALITY(changedWithin(before, before), 0);
 }
 
 }  // namespace
