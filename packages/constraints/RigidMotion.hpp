@@ -17,6 +17,7 @@ struct RigidPart {
   Point centre{0, 0, 0};
   double radius = 1.0;  ///< half the diagonal of the part's bounding box
   Matrix free;          ///< amplitudes x free motions, orthonormal columns; no column if the prescribed components hold the part
+  Matrix soft{};        ///< likewise, motions that only elastic supports hold, orthogonal to the free ones; set by BodyParts
 
   /// Displacement at a point for unit amplitudes: dimension x amplitudes.
   Matrix at(const Point& point, int dimension) const;

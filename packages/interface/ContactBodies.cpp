@@ -5,6 +5,7 @@
 #include <suture/base/RigidValues.hpp>
 #include <suture/interface/ContactBodies.hpp>
 #include <suture/partition/BodyParts.hpp>
+#include <suture/search/SoftBodies.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -48,6 +49,7 @@ ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr
   pairs.work = work(comm, subdomains);
   bind(pairs);
   rigid_ = std::make_unique<RigidContact>(std::move(pairs));
+  findSoftMotions(comm, meshes, subdomains, pairStiffness, laws);
   findLoads(comm, subdomains);
   remember({});
 }
@@ -73,6 +75,68 @@ void ContactBodies::findParts(const Comm& comm, const Meshes& meshes) {
     first_.push_back(motions_);
     motions_ += static_cast<int>(part.free.cols());
   }
+}
+
+/// Sets the model with motions that only soft supports hold, if there are any. Not for bodies that pairs bind together.
+void ContactBodies::findSoftMotions(const Comm& comm, const Meshes& meshes, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+                                    const std::map<int, double>& pairStiffness, const ContactLaws& laws) {
+  if (!rigid_->data().bound.empty() ||
+      std::all_of(parts_.begin(), parts_.end(), [](const RigidPart& part) { return part.soft.cols() == 0; }))
+    return;
+  const int amplitudes = rigidMotions(dimension_);
+  // Energy of the supports in the rigid motions of each part.
+  Matrix mine = Matrix::Zero(amplitudes, amplitudes * static_cast<Eigen::Index>(parts_.size())), energies = mine;
+  for (std::size_t s = 0; s < subdomains.size(); ++s) {
+    const RigidPart& part = parts_[partOf_[s]];
+    if (part.soft.cols() == 0) continue;
+    Matrix motions(subdomains[s]->dofs(), part.soft.cols());
+    for (int dof = 0; dof < subdomains[s]->dofs(); ++dof)
+      motions.row(dof) =
+          along(part, subdomains[s]->mesh().point(subdomains[s]->nodeOf(dof)), subdomains[s]->direction(dof), dimension_).transpose() *
+          part.soft;
+    mine.block(0, amplitudes * partOf_[s], part.soft.cols(), part.soft.cols()) +=
+        motions.transpose() * (subdomains[s]->stiffness() * motions);
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), energies.data());
+  const std::vector<RigidPart> parts = parts_;
+  const std::vector<int> first = first_;
+  const int motions = motions_;
+  std::vector<double> springs;
+  motions_ = 0;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    RigidPart& part = parts_[p];
+    const Eigen::Index soft = part.soft.cols();
+    first_[p] = motions_;
+    springs.insert(springs.end(), static_cast<std::size_t>(part.free.cols()), 0.0);
+    if (soft > 0) {
+      const Eigenpairs axes = symmetricEigenpairs(energies.block(0, amplitudes * static_cast<Eigen::Index>(p), soft, soft));
+      Matrix all(amplitudes, part.free.cols() + soft);
+      all << part.free, part.soft * axes.vectors;
+      part.free = all;
+      for (const double value : axes.values) springs.push_back(std::max(value, 0.0));
+    }
+    motions_ += static_cast<int>(part.free.cols());
+  }
+  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws);
+  pairs.work = work(comm, subdomains);
+  parts_ = parts;
+  first_ = first;
+  motions_ = motions;
+  // Stiff supports hold their motions: the deformation of the body is not small compared with them.
+  std::vector<int> kept;
+  std::vector<double> weak;
+  for (std::size_t k = 0; k < springs.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const double pads = pairs.rows.col(column).cwiseAbs2().dot(pairs.stiffness);
+    if (springs[k] > SoftBodies::kSoft * pads) continue;
+    kept.push_back(static_cast<int>(k));
+    weak.push_back(springs[k]);
+  }
+  if (std::none_of(weak.begin(), weak.end(), [](double spring) { return spring > 0.0; })) return;
+  pairs.rows = pairs.rows(Eigen::all, kept).eval();
+  for (Matrix& tangent : pairs.tangents) tangent = tangent(Eigen::all, kept).eval();
+  pairs.work = pairs.work(kept).eval();
+  rigid_->setSoft(std::make_shared<SoftBodies>(std::move(pairs), Eigen::Map<const Vector>(weak.data(), Eigen::Index(weak.size()))));
 }
 
 /// Reduces the motions to those common to bodies bound together by pairs.

@@ -55,6 +55,8 @@ class ContactBodies {
   RigidContact::Pairs gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
                                   const ContactLaws& laws) const;
   void bind(RigidContact::Pairs& pairs);
+  void findSoftMotions(const Comm& comm, const Meshes& meshes, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+                       const std::map<int, double>& pairStiffness, const ContactLaws& laws);
   Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const;
   void findLoads(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 

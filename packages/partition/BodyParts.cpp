@@ -5,6 +5,9 @@
 #include <suture/base/RigidValues.hpp>
 #include <suture/partition/BodyParts.hpp>
 
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -89,10 +92,42 @@ void BodyParts::findParts(const Comm& comm, const std::vector<const SubdomainMes
   for (const SubdomainMesh* mesh : meshes) partOf.push_back(partOfSubdomain.at(mesh->id));
 }
 
-/// Each rank compresses the rows of prescribed components, with their values, to one triangle per part.
+namespace {
+
+/// Rows of all ranks by part. Each rank compresses its rows to one triangle per part. \param rows  amplitudes and a value
+std::vector<Matrix> gathered(const Comm& comm, const std::map<int, std::vector<Vector>>& rows, std::size_t parts, int amplitudes) {
+  Packer packer;
+  for (const auto& [part, all] : rows) {
+    if (all.empty()) continue;
+    Matrix matrix(static_cast<Eigen::Index>(all.size()), amplitudes + 1);
+    for (std::size_t i = 0; i < all.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = all[i].transpose();
+    // Scale values to the order of the motions: the round-off of large values would hide the constraints of a part.
+    Matrix scaled = matrix;
+    if (const double size = matrix.col(amplitudes).cwiseAbs().maxCoeff(); size > 0.0) scaled.col(amplitudes) /= size;
+    const Matrix triangle = orthonormalBasis(scaled, 1e-15).transpose() * matrix;
+    packer.put(part);
+    packer.put(std::vector<double>(triangle.data(), triangle.data() + triangle.size()));
+  }
+  std::vector<Matrix> held(parts, Matrix(0, amplitudes + 1));
+  for (const std::string& bytes : allGather(comm, packer.bytes())) {
+    Unpacker unpacker(bytes);
+    while (!unpacker.done()) {
+      Matrix& own = held[static_cast<std::size_t>(unpacker.get<int>())];
+      const auto values = unpacker.get<std::vector<double>>();
+      const Eigen::Map<const Matrix> triangle(values.data(), static_cast<Eigen::Index>(values.size()) / (amplitudes + 1), amplitudes + 1);
+      Matrix both(own.rows() + triangle.rows(), amplitudes + 1);
+      both << own, triangle;
+      own = both;
+    }
+  }
+  return held;
+}
+
+}  // namespace
+
 void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, int dimension) {
   const int amplitudes = rigidMotions(dimension);
-  std::map<int, std::vector<Vector>> rows;
+  std::map<int, std::vector<Vector>> rows, fixed;  // all rows, and those of prescribed components
   sprung.assign(parts.size(), 0);
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const SubdomainMesh& mesh = *meshes[s];
@@ -104,47 +139,35 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
     };
     for (const NodeRule& rule : mesh.rules)
       for (int k = 0; k < dimension; ++k)
-        if (rule.fixed[k]) add(along(part, mesh.point(rule.node), rule.axes[k], dimension), rule.value[k]);
+        if (rule.fixed[k]) {
+          add(along(part, mesh.point(rule.node), rule.axes[k], dimension), rule.value[k]);
+          fixed[partOf[s]].push_back(own.back());
+        }
     for (const SpringDirection& spring : mesh.springs) {
       add(along(part, mesh.point(spring.node), spring.direction, dimension), 0.0);
       sprung[partOf[s]] = 1;
     }
     if (mesh.axisymmetric)  // no radial translation, no rotation in the meridian plane
-      for (const int k : {0, 2}) add(Vector::Unit(amplitudes, k), 0.0);
+      for (const int k : {0, 2}) {
+        add(Vector::Unit(amplitudes, k), 0.0);
+        fixed[partOf[s]].push_back(own.back());
+      }
   }
-  Packer packer;
-  for (const auto& [part, all] : rows) {
-    if (all.empty()) continue;
-    Matrix matrix(static_cast<Eigen::Index>(all.size()), amplitudes + 1);
-    for (std::size_t i = 0; i < all.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = all[i].transpose();
-    // Scale values to the order of the motions: the round-off of large values would hide the constraints of a part.
-    Matrix scaled = matrix;
-    if (const double size = matrix.col(amplitudes).cwiseAbs().maxCoeff(); size > 0.0) scaled.col(amplitudes) /= size;
-    const Matrix triangle = orthonormalBasis(scaled, 1e-15).transpose() * matrix;
-    packer.put(part);
-    packer.put(static_cast<int>(sprung[part]));
-    packer.put(std::vector<double>(triangle.data(), triangle.data() + triangle.size()));
-  }
-  std::vector<Matrix> held(parts.size(), Matrix(0, amplitudes + 1));
-  for (const std::string& bytes : allGather(comm, packer.bytes())) {
-    Unpacker unpacker(bytes);
-    while (!unpacker.done()) {
-      const int part = unpacker.get<int>();
-      if (unpacker.get<int>() != 0) sprung[part] = 1;
-      const auto values = unpacker.get<std::vector<double>>();
-      const Eigen::Map<const Matrix> triangle(values.data(), static_cast<Eigen::Index>(values.size()) / (amplitudes + 1), amplitudes + 1);
-      Matrix both(held[part].rows() + triangle.rows(), amplitudes + 1);
-      both << held[part], triangle;
-      held[part] = both;
-    }
-  }
+  const std::vector<Matrix> held = gathered(comm, rows, parts.size(), amplitudes);
+  std::vector<int> mine(sprung.begin(), sprung.end()), all = mine;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  sprung.assign(all.begin(), all.end());
+  const bool anySprung = std::find(all.begin(), all.end(), 1) != all.end();
+  const std::vector<Matrix> stopped = anySprung ? gathered(comm, fixed, parts.size(), amplitudes) : held;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const Matrix motion = held[p].leftCols(amplitudes);
     parts[p].free = nullSpace(motion);
-    const Matrix stopped =
+    const Matrix across =
         parts[p].free.cols() == 0 ? Matrix(Matrix::Identity(amplitudes, amplitudes)) : nullSpace(parts[p].free.transpose());
-    lift.push_back(stopped.cols() > 0 && motion.rows() > 0 ? Vector(stopped * leastSquares(motion * stopped, held[p].rightCols(1)))
-                                                           : Vector(Vector::Zero(amplitudes)));
+    lift.push_back(across.cols() > 0 && motion.rows() > 0 ? Vector(across * leastSquares(motion * across, held[p].rightCols(1)))
+                                                          : Vector(Vector::Zero(amplitudes)));
+    parts[p].soft = Matrix(amplitudes, 0);
+    if (sprung[p] && across.cols() > 0) parts[p].soft = across * nullSpace(stopped[p].leftCols(amplitudes) * across);
   }
 }
 

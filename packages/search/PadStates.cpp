@@ -1,4 +1,5 @@
 #include <suture/search/PadStates.hpp>
+#include <suture/search/SoftBodies.hpp>
 
 namespace suture {
 
@@ -42,17 +43,27 @@ PadModel::Equilibrium PadStates::equilibrium(const ContactBalance& at, double so
   if (!projection_.isFrictionless())
     return pads_.coulomb(compliance.asDiagonal() * at.force + at.jump, compliance, at.jump.rightCols(2).rowwise().norm());
   const Vector t = rigid_.compliance().cwiseProduct(at.force.col(0)) + at.jump.col(0);
-  const RigidContact::Equilibrium found = rigid_.project(t);  // accurate for light bodies, too
+  Vector reached = t;
+  RigidContact::Equilibrium found;
+  if (const SoftBodies* soft = rigid_.soft()) {
+    found = soft->project(t, rigid_.compliance(), reached);
+  } else {
+    found = rigid_.project(t);  // accurate for light bodies, too
+    if (rigid_.motions() > 0) reached += rigid_.data().rows * found.motion;
+  }
   PadModel::Equilibrium pads;
   pads.found = found.found;
   pads.motion = found.motion;
   pads.force = pads.trial = Matrix::Zero(t.size(), 3);
   pads.force.col(0) = found.force;
-  pads.trial.col(0) = rigid_.motions() > 0 ? Vector(t + rigid_.data().rows * found.motion) : t;
-  pads.trial.col(0) = pads.trial.col(0).cwiseQuotient(rigid_.compliance()).eval();
+  pads.trial.col(0) = reached.cwiseQuotient(rigid_.compliance());
   for (Eigen::Index i = 0; i < t.size(); ++i)
     if (found.force(i) > 0.0) pads.trial(i, 0) = found.force(i);
   return pads;
+}
+
+bool PadStates::loosens(const PairStates& states) const {
+  return rigid_.loosens(states) || (rigid_.soft() && rigid_.soft()->loosens(states));
 }
 
 bool PadStates::near(const ContactBalance& at, double softness, const PairStates& now, PairStates& found) const {

@@ -17,6 +17,8 @@ class PadStates {
   PairStates start(Vector& normal) const;
   /// Equilibrium on the pads from forces and jumps of a solution. \param softness  factor on the compliance of the pads
   PadModel::Equilibrium equilibrium(const ContactBalance& at, double softness) const;
+  /// True if states leave a motion free, or to a soft support alone, that all pairs together would stop.
+  bool loosens(const PairStates& states) const;
   /// States there. False if the pads have no equilibrium. \param now  states of the pairs that cannot change
   bool near(const ContactBalance& at, double softness, const PairStates& now, PairStates& found) const;
 

@@ -2,11 +2,13 @@
 #include <suture/base/Types.hpp>
 #include <suture/search/PairStates.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace suture {
 
 class DisjointSets;
+class SoftBodies;
 
 constexpr double kDependentRows = 1e-9;  ///< singular value of rows (of order one) below which they leave a motion free
 
@@ -46,6 +48,10 @@ class RigidContact {
   /// Round-off of each pair's force on the path of load steps so far: smaller forces count as zero. Zero unless set. [force]
   const Vector& rounding() const { return rounding_; }
   void setRounding(Vector ofPairs) { rounding_ = std::move(ofPairs); }
+
+  /// The model that includes motions held by soft supports only; null: there are none.
+  const SoftBodies* soft() const { return soft_.get(); }
+  void setSoft(std::shared_ptr<const SoftBodies> soft) { soft_ = std::move(soft); }
 
   struct Equilibrium {
     Vector force, motion;
@@ -101,6 +107,7 @@ class RigidContact {
 
   Pairs pairs_;
   Vector compliance_, rounding_;
+  std::shared_ptr<const SoftBodies> soft_;
   struct Component {
     std::vector<int> motions, pairs;
   };

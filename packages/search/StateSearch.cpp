@@ -83,10 +83,10 @@ bool StateSearch::differs(const PairStates& next) const {
 /// States that hold the bodies: if the forces of `next` cannot balance the loads, the states that driven bodies reach, or those of the pads
 /// at the current solution.
 PairStates StateSearch::held(PairStates next) {
-  if (rigid_.motions() == 0) return next;
+  if (rigid_.motions() == 0 && !rigid_.soft()) return next;
   if (isFrictionless()) {
     PairStates other;
-    const bool isLoose = rigid_.loosens(next);
+    const bool isLoose = pads_.loosens(next);
     return stabilised(isLoose && pads_.near(at_, 1.0, states_, other) ? std::move(other) : std::move(next));
   }
   std::vector<Eigen::Matrix3d> active(next.size(), Eigen::Matrix3d::Zero());

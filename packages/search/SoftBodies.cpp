@@ -1,0 +1,46 @@
+#include <suture/algebra/SparseNullSpace.hpp>
+#include <suture/search/PadModel.hpp>
+#include <suture/search/PadProblem.hpp>
+#include <suture/search/SoftBodies.hpp>
+
+#include <vector>
+
+namespace suture {
+
+RigidContact::Equilibrium SoftBodies::project(const Vector& t, const Vector& compliance, Vector& reached) const {
+  const RigidContact::Pairs& data = rigid_.data();
+  const Eigen::Index pairs = t.size(), motions = data.work.size();
+  std::vector<Eigen::Index> sprung;
+  for (Eigen::Index k = 0; k < motions; ++k)
+    if (springs_(k) > 0.0) sprung.push_back(k);
+  // A spring is two opposite pads that touch.
+  const auto count = pairs + 2 * static_cast<Eigen::Index>(sprung.size());
+  Matrix rows = Matrix::Zero(count, motions);
+  Vector y = Vector::Zero(count), stiffness = Vector::Zero(count);
+  rows.topRows(pairs) = data.rows;
+  y.head(pairs) = t;
+  for (Eigen::Index i = 0; i < pairs; ++i)
+    if (data.canChange[static_cast<std::size_t>(i)]) stiffness(i) = 1.0 / compliance(i);
+  for (std::size_t s = 0; s < sprung.size(); ++s)
+    for (const int sense : {0, 1}) {
+      const Eigen::Index row = pairs + 2 * static_cast<Eigen::Index>(s) + sense;
+      rows(row, sprung[s]) = sense == 0 ? 1.0 : -1.0;
+      stiffness(row) = springs_(sprung[s]);
+    }
+  RigidContact::Equilibrium result;
+  result.motion = Vector::Zero(motions);
+  if (motions <= kMostDense) {
+    result.found = PadProblem(rows, stiffness, data.work, data.work.norm()).solve(result.motion, y);
+  } else {
+    const Vector soft = stiffness.unaryExpr([](double k) { return k > 0.0 ? 1.0 / k : 1e300; });
+    const PadModel::Equilibrium pads = PadModel::unilateral(rows, data.work, y, soft);
+    result.found = pads.found;
+    result.motion = pads.motion;
+    y = pads.trial.col(0).cwiseProduct(soft);
+  }
+  reached = y.head(pairs);
+  result.force = reached.cwiseMax(0.0).cwiseProduct(stiffness.head(pairs));
+  return result;
+}
+
+}  // namespace suture
