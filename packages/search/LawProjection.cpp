@@ -43,9 +43,7 @@ ContactTrial LawProjection::trialOf(std::size_t pair) const {
 
 Point LawProjection::stiff(std::size_t pair, const Matrix& jump) const {
   const auto at = static_cast<Eigen::Index>(pair);
-  double tangential = tangential_ * sites_[pair].tangential;
-  // A pair whose slip is prescribed slides along it.
-  if (const double slip = std::hypot(jump(at, 1), jump(at, 2)); !(tangential > 0.0) && slip > 0.0) tangential = kLawPushed / slip;
+  const double tangential = tangential_ * sites_[pair].tangential;
   return {kNormal * rigid_.data().stiffness(at) * jump(at, 0), tangential * jump(at, 1), tangential * jump(at, 2)};
 }
 
@@ -102,13 +100,14 @@ PairStates LawProjection::believed(const PairStates& now, const ContactAnswer& a
     for (int k = 1; k <= 2; ++k) force[k] = answer.force(at, k);
     if (now[i].status == PairStatus::Stick) {
       const double size = std::hypot(force[1], force[2]), less = size > 0.0 ? std::max(0.0, 1.0 - tolerance / size) : 0.0;
-      // Only prescribed displacements move a sticking pair: it slides.
-      const double slip = std::hypot(answer.jump(at, 1), answer.jump(at, 2)),
-                   push = slip > answer.jumpTolerance(at) ? kLawPushed / slip : 0.0;
-      for (int k = 1; k <= 2; ++k) force[k] *= less, jump[k] = push * answer.jump(at, k);
+      for (int k = 1; k <= 2; ++k) force[k] *= less, jump[k] = 0.0;
     } else if (now[i].status == PairStatus::Slip) {
       for (int k = 1; k <= 2; ++k) force[k] += (1.0 + now[i].friction) * tolerance * now[i].direction[k];  // beyond the bound at force[0]
     }
+    // A pair that sticks or has no tangential stiffness moves only by prescribed displacements, whatever its force: it slides along them.
+    const double slip = std::hypot(answer.jump(at, 1), answer.jump(at, 2));
+    if ((now[i].status == PairStatus::Stick || !(sites_[i].tangential > 0.0)) && slip > answer.jumpTolerance(at))
+      for (int k = 1; k <= 2; ++k) jump[k] = kLawPushed * answer.jump(at, k) / slip;
     ContactState next = state(i, now[i], force, jump);
     // Slip reverses through stick: pairs that skip stick cycle if little except friction holds a body.
     if (now[i].status == PairStatus::Slip && next.status == PairStatus::Slip &&
