@@ -18,6 +18,8 @@ namespace suture {
 ///   4. If the closed pairs leave bodies a motion in which no force does work (a ball between two plates turns about the line through its
 ///      poles), a spring along a tangent of an open pair holds it, without force, at the current position. Without friction an open pair is
 ///      closed, without force, and the body is then moved to where open pairs penetrate least.
+///      Bodies that only soft supports hold (SoftBodies) must not be left to these, and where pairs bend such a body towards another one,
+///      as a glue would, the pads of the bent shapes give the next states.
 ///   5. If the distance has not decreased for some steps, or without friction if states recur: a convex problem (all pairs frictionless) is
 ///      solved by DualAscent, proven to end at the solution. With friction: Newton from the other side, with all pairs sticking, and from
 ///      the states of the pads at earlier solutions, with different constants. Before that, bodies that slide as a whole in spite of
@@ -78,6 +80,7 @@ class StateSearch {
   void sharpen(double distance, double turns);
   bool step(PairStates& next);
   bool differs(const PairStates& next) const;
+  bool areGlued(const PairStates& next);
   PairStates held(PairStates next);
   PairStates stabilised(PairStates next) const;
   double largest() const;
@@ -101,6 +104,7 @@ class StateSearch {
   ContactAnswer answer_;
   std::vector<int> violated_;
   ContactBalance at_, best_, first_;  // current, closest to the laws, and first one of a try
+  bool wereGlued_ = false;            // see areGlued()
   bool isNew_ = true;                 // the next solution starts a new line: earlier ones are not comparable
   Vector guess_, tresca_;             // normal forces of the pads, and of the Tresca problem with bounds from them
 };
