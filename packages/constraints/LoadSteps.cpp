@@ -27,9 +27,10 @@ const std::set<std::string> kWithoutAmount = {"Bilateral", "Elastic Support", "M
 Schema LoadSteps::schema() {
   Schema steps("Load steps, for contact whose solution depends on the order of the loads. Without Times: one step, without history.");
   steps.reals(kTimes, std::vector<double>(), "Ends of the steps; the path starts at 0 with undeformed bodies.");
-  steps.real("Largest Change", kLargestChange,
-             "Fraction of the contact pairs that may open, close or begin to slip in one step with friction; if more do, the step is halved.",
-             {0.0, 1.0, true, false, {}});
+  steps.real(
+      "Largest Change", kLargestChange,
+      "Fraction of the contact pairs that may open, close or begin to slip in one step with friction; if more do, the step is halved.",
+      {0.0, 1.0, true, false, {}});
   steps.integer("Halvings", kHalvings, "How often a step may be halved, because it failed or because of Largest Change.",
                 {0.0, 30.0, false, false, {}});
   steps.list(kFactors, Schema("Factors of boundary conditions, by name; all other conditions act in full from the first step on.")

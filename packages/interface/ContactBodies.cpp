@@ -287,7 +287,7 @@ void ContactBodies::remember(const std::vector<BodyForces>& carried) {
   std::vector<BodyForces> now(parts_.size()), past(parts_.size());
   carriedEnergy_ = Vector::Zero(static_cast<Eigen::Index>(parts_.size()));
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    now[p].loads = loads_[p];
+    if (!loads_.empty()) now[p].loads = loads_[p];
     if (carried.empty()) continue;
     past[p] = carried.at(static_cast<std::size_t>(parts_[p].body));
     carriedEnergy_(static_cast<Eigen::Index>(p)) = past[p].energy();

@@ -8,12 +8,12 @@ namespace suture {
 
 /// Forces and displacements of a pair at a state of a formulation, in the pair's frame (PairFrame).
 struct PairForces {
-  double normal = 0.0;  ///< normal force of a closed pair [force]
-  Point held{0, 0, 0};  ///< forces of the tangential rows of a sticking pair [force]
-  double gap = 0.0;     ///< gap of an open pair [length]
-  Point slip{0, 0, 0};  ///< u_A - u_B of the load step along the tangents [length]
+  double normal = 0.0;                                      ///< normal force of a closed pair [force]
+  Point held{0, 0, 0};                                      ///< forces of the tangential rows of a sticking pair [force]
+  double gap = 0.0;                                         ///< gap of an open pair [length]
+  Point slip{0, 0, 0};                                      ///< u_A - u_B of the load step along the tangents [length]
   std::array<bool, 3> isPrescribed{{false, false, false}};  ///< rows without unknowns: their jumps are given, also if the pair sticks
-  double digits = 0.0;  ///< magnitude of the displacements whose difference is the gap [length]
+  double digits = 0.0;                                      ///< magnitude of the displacements whose difference is the gap [length]
 
   /// Tangential force on side B: from the tangential rows of a sticking pair; for a slipping pair, its bound along the slip and the force
   /// of the transverse spring. [force]

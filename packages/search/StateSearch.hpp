@@ -55,7 +55,7 @@ class StateSearch {
   enum class Start {
     Guess,    ///< as inaccurate as the solver allows
     Near,     ///< the solution of the last load step or of a coarser mesh: changes are small compared with the solution
-    Solution  ///< of nearly the same problem: accurate from the first solve
+    Solution  ///< the solution of nearly the same problem: accurate from the first solve
   };
   Result run(PairStates start, Start nearness = Start::Guess);
   /// Rigid motion in which the loads overcome the resistance of all pairs, by limit analysis; empty: none. \param states  whose closed

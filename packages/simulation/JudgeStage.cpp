@@ -30,8 +30,9 @@ bool wantsErrorEstimate(const Parameters& settings) {
 bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("Output").get<bool>("Nodal Stresses"); }
 
 void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces, const Scene& scene,
-                   Solution& solution, Monitor& monitor) {
-  if (solution.converged) settleNeutralMotions(comm, meshes, scene.model, scene.laws, solution);
+                   const LoadPath* path, Solution& solution, Monitor& monitor) {
+  const std::vector<BodyForces> carried = path ? path->carried() : std::vector<BodyForces>();
+  if (solution.converged) settleNeutralMotions(comm, meshes, scene.model, scene.laws, carried, solution);
   if (solution.converged) settleContactForces(comm, meshes, scene.laws, scene.contacts, solution);
   const std::size_t shared = solution.sharedForces.size();
   for (std::size_t i = 0; i < std::min(shared, kNotes); ++i) monitor.note(inWords(solution.sharedForces[i]));

@@ -17,9 +17,9 @@ bool wantsErrorEstimate(const Parameters& settings);
 bool wantsNodalStresses(const Parameters& settings);
 
 /// Handles motions that the solution leaves undetermined (settleNeutralMotions): adds notes, or marks the run as not Done. Adds pressures
-/// on the axis. Collective.
+/// on the axis. Collective. \param path  the load steps so far, or null
 void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces, const Scene& scene,
-                   Solution& solution, Monitor& monitor);
+                   const LoadPath* path, Solution& solution, Monitor& monitor);
 
 /// Adds the errors of the solution (against the exact solution, if the scene has one; estimated, if the settings request it) and, on
 /// request, recovered stresses. Phases "errors", "estimate", "recover". Collective.

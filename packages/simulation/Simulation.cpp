@@ -220,7 +220,7 @@ void Simulation::judgeSolution() {
 
 void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
-  timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, solution, monitor_); });
+  timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, path_.get(), solution, monitor_); });
   findErrors(*comm_, cut_.meshes, scene_, solution, timers_);
   timed(timers_, "verify", [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, path_.get(), solution); });
   timed(timers_, "verify", [&] { findAnswers(*comm_, cut_.meshes, scene_, solution); });

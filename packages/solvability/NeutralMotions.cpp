@@ -198,10 +198,11 @@ std::vector<ContactState> broadcastStates(const Comm& comm, const std::vector<Pa
 }  // namespace
 
 void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactLaws& laws,
-                          Solution& solution) {
+                          const std::vector<BodyForces>& carried, Solution& solution) {
   std::vector<const SubdomainMesh*> all;
   for (const SubdomainMesh& mesh : meshes) all.push_back(&mesh);
-  const ContactBodies bodies(comm, all, laws);
+  ContactBodies bodies(comm, all, laws);
+  bodies.remember(carried);
   const RigidContact& rigid = bodies.rigid();
   const int count = rigid.pairs();
   if (count == 0) return;

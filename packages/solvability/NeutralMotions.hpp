@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
@@ -19,8 +20,9 @@ namespace suture {
 /// is below 1e-6 of the largest change of gaps of its bodies. Collective.
 /// \param meshes  those of solution.displacement; their lifts, if any, receive the motions
 /// \param model  model with the loads
+/// \param carried  by body, the largest forces on the path of load steps before: less than their round-off counts as no force; empty: none
 void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactLaws& laws,
-                          Solution& solution);
+                          const std::vector<BodyForces>& carried, Solution& solution);
 
 /// One sentence per motion, for the user.
 std::string inWords(const NeutralMotion& motion);

@@ -102,7 +102,7 @@ PairClasses classify(const ContactBodies& bodies, const PairsAtSolution& pairs, 
   for (int i = 0; i < count; ++i) {
     if (bodies.rigid().isBound(static_cast<std::size_t>(i))) classes.carrying[i] = 1;  // pairs that never open hold at any force
     if (!data.canChange[i]) continue;
-    double least = 0.0, moved = 0.0, none = 0.0;
+    double least = 0.0, moved = 0.0, none = bodies.rigid().rounding()(i);
     for (const int part : data.bodies[i]) {
       none = std::max(none, rounding[part]);
       least = least == 0.0 ? force[part] : std::min(least, force[part]);
