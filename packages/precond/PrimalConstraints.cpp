@@ -92,7 +92,8 @@ PrimalChoice MomentConstraints::doChoose(const InterfaceSpace& space, const Loca
       continue;
     }
     const bool isSeam = entity.kind == (space.dimension() == 2 ? EntityKind::Edge : EntityKind::Face);
-    const bool withFirst = first_ == First::Everywhere || (first_ == First::OnSeams && isSeam);
+    // A body may be held by few sticking pairs of one contact edge; their average would let it turn.
+    const bool withFirst = first_ == First::Everywhere || (first_ == First::OnSeams && (isSeam || entity.contact));
     const Matrix modes =
         entity.contact ? contactMoments(space, entity.unknowns, withFirst) : rigidMotionsOf(space, entity.unknowns, withFirst);
     choice.rows.push_back(orthonormalBasis(withFlux(space, entity.unknowns, modes), 1e-8).transpose());
@@ -109,7 +110,8 @@ std::unique_ptr<PrimalConstraints> withMoments(MomentConstraints::First first) {
 std::unique_ptr<PrimalConstraints> automaticConstraints() { return withMoments(MomentConstraints::First::OnSeams); }
 
 void registerBuiltIns(Registry<PrimalConstraints>& registry) {
-  registry.add("Automatic", Schema("In 2D as Rigid Modes; in 3D averages on edges and all rigid motions on faces."),
+  registry.add("Automatic",
+               Schema("In 2D as Rigid Modes; in 3D averages on edges, all rigid motions on faces, and first moments on contact edges."),
                [](const Parameters&) { return automaticConstraints(); });
   registry.add("None", Schema("Vertices and ends of edges only. In 3D subdomains with few vertices are not held."),
                [](const Parameters&) { return std::make_unique<VertexConstraints>(); });
