@@ -95,9 +95,8 @@ DelassusFriction::System DelassusFriction::systemOf(const PairStates& states) co
     for (int k = 1; k < pair.rows; ++k) {
       const int row = pair.first + k;
       if (slips) system.given(row) = state.bound * state.direction[k];
-      if (state.status != PairStatus::Stick) continue;
+      if (state.status != PairStatus::Stick || problem_.dofs[row].empty()) continue;
       system.forces(row, count) = system.tests(row, count) = 1.0;
-      if (problem_.dofs[row].empty()) system.compliance(count) = local_(row);
       ++count;
     }
     if (state.status == PairStatus::Stick || !(state.transverseStiffness > 0.0) || pair.rows < 2) continue;
@@ -171,7 +170,7 @@ ContactAnswer DelassusFriction::answerOf(const PairStates& states) const {
     for (int k = 0; k < pair.rows; ++k) {
       const int row = pair.first + k;
       answer.force(p, k) = force_(row);
-      if (!state.holds(k)) answer.jump(p, k) = jump(row);
+      if (!state.holds(k) || problem_.dofs[row].empty()) answer.jump(p, k) = jump(row);
       deformation(p) = std::max(deformation(p), std::abs(deformed(row)));
       digits(p) =
           std::max(digits(p), delassus_.rounding()(row) + kDigits * std::max(std::abs(delassus_.open()(row)), std::abs(moved(row))));

@@ -18,9 +18,9 @@ struct FrictionSite {
 /// ones carry the tangential force of their state.
 struct ContactAnswer {
   Matrix force;           ///< pairs x 3, in the frames of the pairs: force on side B [force]
-  Matrix jump;            ///< pairs x 3: penetration, and slip u_A - u_B of the load step [length]
+  Matrix jump;            ///< pairs x 3: penetration, and slip u_A - u_B of the load step, also prescribed slip of sticking pairs [length]
   Vector forceTolerance;  ///< violation of each pair below which it counts as zero [force]
-  Vector jumpTolerance;   ///< the same for penetrations [length]
+  Vector jumpTolerance;   ///< the same for penetrations and prescribed slip [length]
   double energy = 0.0;    ///< potential energy of the state, without a constant
   bool solved = true;     ///< false: the linear solve failed; the reason is reported elsewhere
 };
