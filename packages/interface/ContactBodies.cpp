@@ -45,8 +45,8 @@ ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr
   Meshes meshes;
   for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
   findParts(comm, meshes);
-  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws);
-  pairs.work = work(comm, subdomains);
+  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws, free_);
+  pairs.work = work(comm, subdomains, free_);
   bind(pairs);
   rigid_ = std::make_unique<RigidContact>(std::move(pairs));
   findSoftMotions(comm, meshes, subdomains, pairStiffness, laws);
@@ -59,8 +59,8 @@ ContactBodies::ContactBodies(const Comm& comm, const Meshes& meshes, const Conta
   std::map<int, double> ones;
   for (const SubdomainMesh* mesh : meshes)
     for (const ContactRow& row : mesh->contactRows) ones[row.pair.id] = 1.0;
-  RigidContact::Pairs pairs = gatherPairs(comm, meshes, ones, laws);
-  pairs.work = Vector::Zero(motions_);
+  RigidContact::Pairs pairs = gatherPairs(comm, meshes, ones, laws, free_);
+  pairs.work = Vector::Zero(free_.count);
   bind(pairs);
   rigid_ = std::make_unique<RigidContact>(std::move(pairs));
 }
@@ -71,72 +71,71 @@ void ContactBodies::findParts(const Comm& comm, const Meshes& meshes) {
   parts_ = std::move(found.parts);
   lift_ = std::move(found.lift);
   partOf_ = std::move(found.partOf);
-  for (const RigidPart& part : parts_) {
-    first_.push_back(motions_);
-    motions_ += static_cast<int>(part.free.cols());
-  }
+  for (const RigidPart& part : parts_) free_.add(part.free);
 }
 
-/// Sets the model with motions that only soft supports hold, if there are any. Not for bodies that pairs bind together.
-void ContactBodies::findSoftMotions(const Comm& comm, const Meshes& meshes, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                                    const std::map<int, double>& pairStiffness, const ContactLaws& laws) {
-  if (!rigid_->data().bound.empty() ||
-      std::all_of(parts_.begin(), parts_.end(), [](const RigidPart& part) { return part.soft.cols() == 0; }))
-    return;
-  const int amplitudes = rigidMotions(dimension_);
-  // Energy of the supports in the rigid motions of each part.
+void ContactBodies::Basis::add(Matrix ofPart) {
+  first.push_back(count);
+  count += static_cast<int>(ofPart.cols());
+  motions.push_back(std::move(ofPart));
+}
+
+/// The free motions of all parts and those that only elastic supports hold, along the principal axes of the supports.
+/// \param springs  receives the stiffness of the supports in each motion, zero in free ones [force / length]. Collective.
+ContactBodies::Basis ContactBodies::withSoftMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+                                                    Vector& springs) const {
+  const auto amplitudes = static_cast<Eigen::Index>(rigidMotions(dimension_));
+  // A rigid motion deforms supports only: its energy is theirs.
   Matrix mine = Matrix::Zero(amplitudes, amplitudes * static_cast<Eigen::Index>(parts_.size())), energies = mine;
   for (std::size_t s = 0; s < subdomains.size(); ++s) {
+    const Subdomain& subdomain = *subdomains[s];
     const RigidPart& part = parts_[partOf_[s]];
     if (part.soft.cols() == 0) continue;
-    Matrix motions(subdomains[s]->dofs(), part.soft.cols());
-    for (int dof = 0; dof < subdomains[s]->dofs(); ++dof)
-      motions.row(dof) =
-          along(part, subdomains[s]->mesh().point(subdomains[s]->nodeOf(dof)), subdomains[s]->direction(dof), dimension_).transpose() *
-          part.soft;
-    mine.block(0, amplitudes * partOf_[s], part.soft.cols(), part.soft.cols()) +=
-        motions.transpose() * (subdomains[s]->stiffness() * motions);
+    Matrix moved(subdomain.dofs(), part.soft.cols());
+    for (int dof = 0; dof < subdomain.dofs(); ++dof)
+      moved.row(dof) =
+          along(part, subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), dimension_).transpose() * part.soft;
+    mine.block(0, amplitudes * partOf_[s], part.soft.cols(), part.soft.cols()) += moved.transpose() * (subdomain.stiffness() * moved);
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), energies.data());
-  const std::vector<RigidPart> parts = parts_;
-  const std::vector<int> first = first_;
-  const int motions = motions_;
-  std::vector<double> springs;
-  motions_ = 0;
+  Basis basis;
+  std::vector<double> all;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    RigidPart& part = parts_[p];
-    const Eigen::Index soft = part.soft.cols();
-    first_[p] = motions_;
-    springs.insert(springs.end(), static_cast<std::size_t>(part.free.cols()), 0.0);
+    const Eigen::Index soft = parts_[p].soft.cols();
+    Matrix motions = parts_[p].free;
+    all.insert(all.end(), static_cast<std::size_t>(motions.cols()), 0.0);
     if (soft > 0) {
       const Eigenpairs axes = symmetricEigenpairs(energies.block(0, amplitudes * static_cast<Eigen::Index>(p), soft, soft));
-      Matrix all(amplitudes, part.free.cols() + soft);
-      all << part.free, part.soft * axes.vectors;
-      part.free = all;
-      for (const double value : axes.values) springs.push_back(std::max(value, 0.0));
+      motions.conservativeResize(amplitudes, motions.cols() + soft);
+      motions.rightCols(soft) = parts_[p].soft * axes.vectors;
+      for (const double value : axes.values) all.push_back(std::max(value, 0.0));
     }
-    motions_ += static_cast<int>(part.free.cols());
+    basis.add(std::move(motions));
   }
-  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws);
-  pairs.work = work(comm, subdomains);
-  parts_ = parts;
-  first_ = first;
-  motions_ = motions;
+  springs = Eigen::Map<const Vector>(all.data(), static_cast<Eigen::Index>(all.size()));
+  return basis;
+}
+
+/// Sets the model with motions that only soft supports hold, if there are any. Only the search without friction uses it, and not for bodies
+/// that pairs bind together. Collective.
+void ContactBodies::findSoftMotions(const Comm& comm, const Meshes& meshes, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+                                    const std::map<int, double>& pairStiffness, const ContactLaws& laws) {
+  const bool any = std::any_of(parts_.begin(), parts_.end(), [](const RigidPart& part) { return part.soft.cols() > 0; });
+  if (!any || laws.restrictSliding() || !rigid_->data().bound.empty()) return;
+  Vector springs;
+  const Basis basis = withSoftMotions(comm, subdomains, springs);
+  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws, basis);
+  pairs.work = work(comm, subdomains, basis);
   // Stiff supports hold their motions: the deformation of the body is not small compared with them.
   std::vector<int> kept;
-  std::vector<double> weak;
-  for (std::size_t k = 0; k < springs.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const double pads = pairs.rows.col(column).cwiseAbs2().dot(pairs.stiffness);
-    if (springs[k] > SoftBodies::kSoft * pads) continue;
-    kept.push_back(static_cast<int>(k));
-    weak.push_back(springs[k]);
-  }
-  if (std::none_of(weak.begin(), weak.end(), [](double spring) { return spring > 0.0; })) return;
+  for (Eigen::Index k = 0; k < springs.size(); ++k)
+    if (springs(k) <= SoftBodies::kSoft * pairs.rows.col(k).cwiseAbs2().dot(pairs.stiffness)) kept.push_back(static_cast<int>(k));
+  springs = springs(kept).eval();
+  if (springs.isZero(0.0)) return;
   pairs.rows = pairs.rows(Eigen::all, kept).eval();
   for (Matrix& tangent : pairs.tangents) tangent = tangent(Eigen::all, kept).eval();
   pairs.work = pairs.work(kept).eval();
-  rigid_->setSoft(std::make_shared<SoftBodies>(std::move(pairs), Eigen::Map<const Vector>(weak.data(), Eigen::Index(weak.size()))));
+  rigid_->setSoft(std::make_shared<SoftBodies>(std::move(pairs), std::move(springs)));
 }
 
 /// Reduces the motions to those common to bodies bound together by pairs.
@@ -146,11 +145,11 @@ void ContactBodies::bind(RigidContact::Pairs& pairs) {
   for (std::size_t i = 0; i < pairs.bound.size(); ++i)
     if (pairs.bound[i]) bound.push_back(static_cast<int>(i));
   const auto count = static_cast<Eigen::Index>(bound.size());
-  Matrix kept(count * static_cast<Eigen::Index>(1 + pairs.tangents.size()), motions_);
+  Matrix kept(count * static_cast<Eigen::Index>(1 + pairs.tangents.size()), free_.count);
   kept.topRows(count) = pairs.rows(bound, Eigen::all);
   for (std::size_t t = 0; t < pairs.tangents.size(); ++t)
     kept.middleRows(count * static_cast<Eigen::Index>(1 + t), count) = pairs.tangents[t](bound, Eigen::all);
-  if (motions_ > 0 && !kept.isZero(kKept)) {
+  if (free_.count > 0 && !kept.isZero(kKept)) {
     areBound_ = true;
     together_ = nullSpace(kept, kKept);
     pairs.rows = pairs.rows * together_;
@@ -164,7 +163,7 @@ void ContactBodies::bind(RigidContact::Pairs& pairs) {
 }
 
 RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
-                                               const ContactLaws& laws) const {
+                                               const ContactLaws& laws, const Basis& basis) const {
   const int amplitudes = rigidMotions(dimension_);
   std::map<TermKey, Term> terms;
   std::map<int, PairData> own;
@@ -215,7 +214,7 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
   }
   const int count = own.empty() ? 0 : own.rbegin()->first + 1;
   RigidContact::Pairs pairs;
-  pairs.rows = Matrix::Zero(count, motions_);
+  pairs.rows = Matrix::Zero(count, basis.count);
   pairs.penetration = Vector::Zero(count);
   pairs.stiffness = Vector::Ones(count);
   pairs.line.assign(count, -1);
@@ -234,14 +233,14 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
   for (const auto& entry : terms) {
     const Term& term = entry.second;
     const Eigen::Map<const Vector> row(term.amplitudes, amplitudes);
-    const RigidPart& part = parts_[term.part];
+    const Matrix& motions = basis.motions[term.part];
+    const int first = basis.first[term.part];
     if (term.component > 0) {
-      if (pairs.tangents.empty()) pairs.tangents.assign(std::size_t(dimension_ - 1), Matrix::Zero(count, motions_));
-      pairs.tangents[std::size_t(term.component - 1)].row(term.pair).segment(first_[term.part], part.free.cols()) +=
-          row.transpose() * part.free;
+      if (pairs.tangents.empty()) pairs.tangents.assign(std::size_t(dimension_ - 1), Matrix::Zero(count, basis.count));
+      pairs.tangents[std::size_t(term.component - 1)].row(term.pair).segment(first, motions.cols()) += row.transpose() * motions;
       continue;
     }
-    pairs.rows.row(term.pair).segment(first_[term.part], part.free.cols()) += row.transpose() * part.free;
+    pairs.rows.row(term.pair).segment(first, motions.cols()) += row.transpose() * motions;
     pairs.penetration(term.pair) += row.dot(lift_[term.part]);
     std::vector<int>& bodies = pairs.bodies[term.pair];
     if (std::find(bodies.begin(), bodies.end(), term.part) == bodies.end()) bodies.push_back(term.part);
@@ -249,23 +248,24 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
   return pairs;
 }
 
-Vector ContactBodies::work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const {
-  Matrix mine = Matrix::Zero(motions_, 2), all = mine;  // work, and the sum of magnitudes of its terms
+Vector ContactBodies::work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const Basis& basis) const {
+  Matrix mine = Matrix::Zero(basis.count, 2), all = mine;  // work, and the sum of magnitudes of its terms
   for (std::size_t s = 0; s < subdomains.size(); ++s) {
     const Subdomain& subdomain = *subdomains[s];
     const RigidPart& part = parts_[partOf_[s]];
-    if (part.free.cols() == 0) continue;
+    const Matrix& motions = basis.motions[partOf_[s]];
+    if (motions.cols() == 0) continue;
     for (int dof = 0; dof < subdomain.dofs(); ++dof) {
       if (subdomain.load()(dof) == 0.0) continue;
-      const Vector own = subdomain.load()(dof) * (part.free.transpose() * along(part, subdomain.mesh().point(subdomain.nodeOf(dof)),
-                                                                                subdomain.direction(dof), dimension_));
-      mine.col(0).segment(first_[partOf_[s]], own.size()) += own;
-      mine.col(1).segment(first_[partOf_[s]], own.size()) += own.cwiseAbs();
+      const Vector own = subdomain.load()(dof) * (motions.transpose() * along(part, subdomain.mesh().point(subdomain.nodeOf(dof)),
+                                                                              subdomain.direction(dof), dimension_));
+      mine.col(0).segment(basis.first[partOf_[s]], own.size()) += own;
+      mine.col(1).segment(basis.first[partOf_[s]], own.size()) += own.cwiseAbs();
     }
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
   Vector work = all.col(0);
-  for (int k = 0; k < motions_; ++k)
+  for (int k = 0; k < basis.count; ++k)
     if (std::abs(work(k)) <= kNoWork * all(k, 1)) work(k) = 0.0;
   return work;
 }
@@ -304,8 +304,8 @@ void ContactBodies::remember(const std::vector<BodyForces>& carried) {
 }
 
 Vector ContactBodies::amplitudes(int part, const Vector& motion) const {
-  if (!areBound()) return parts_[part].free * motion.segment(first_[part], parts_[part].free.cols());
-  return parts_[part].free * (together_.middleRows(first_[part], parts_[part].free.cols()) * motion);
+  if (!areBound()) return parts_[part].free * motion.segment(free_.first[part], parts_[part].free.cols());
+  return parts_[part].free * (together_.middleRows(free_.first[part], parts_[part].free.cols()) * motion);
 }
 
 void ContactBodies::addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const {

@@ -34,7 +34,7 @@ class ContactBodies {
   /// Extracts one part's motion from that of all parts, as amplitudes of the part.
   Vector amplitudes(int part, const Vector& motion) const;
   /// Column of a part's first motion; only for bodies that no pair binds together.
-  int firstMotion(int part) const { return first_[part]; }
+  int firstMotion(int part) const { return free_.first[part]; }
   /// True if motions are those of bodies bound together by pairs, not of separate parts.
   bool areBound() const { return areBound_; }
   /// Pairs of parts that are in contact.
@@ -51,20 +51,28 @@ class ContactBodies {
 
  private:
   using Meshes = std::vector<const SubdomainMesh*>;
+  /// Motions of all parts, numbered part by part.
+  struct Basis {
+    std::vector<Matrix> motions;  // by part: amplitudes x motions
+    std::vector<int> first;       // by part: number of its first motion
+    int count = 0;
+
+    void add(Matrix ofPart);
+  };
   void findParts(const Comm& comm, const Meshes& meshes);
   RigidContact::Pairs gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
-                                  const ContactLaws& laws) const;
+                                  const ContactLaws& laws, const Basis& basis) const;
   void bind(RigidContact::Pairs& pairs);
   void findSoftMotions(const Comm& comm, const Meshes& meshes, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                        const std::map<int, double>& pairStiffness, const ContactLaws& laws);
-  Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const;
+  Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const Basis& basis) const;
+  Basis withSoftMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, Vector& springs) const;
   void findLoads(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
   int dimension_ = 2;
   std::vector<RigidPart> parts_;
   std::vector<Vector> lift_;  // per part: amplitudes required by prescribed displacements
-  std::vector<int> first_;    // per part: column of its first motion
-  int motions_ = 0;           // number of motions of all parts
+  Basis free_;                // RigidPart::free of all parts
   bool areBound_ = false;
   Matrix together_;  // if areBound_: motions (columns) of the parts that leave bound pairs unchanged
   std::vector<int> partOf_;
