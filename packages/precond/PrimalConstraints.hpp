@@ -57,7 +57,8 @@ class VertexConstraints : public PrimalConstraints {
 /// and grows half as fast with their size as with averages alone. Moments on edges halve it again, at six more unknowns per subdomain.
 class MomentConstraints : public PrimalConstraints {
  public:
-  enum class First { Nowhere, OnSeams, Everywhere };  ///< entities with first moments; seams are edges in 2D, faces in 3D, and contact
+  /// Entities with first moments. OnSeams: on contact, and on edges in 2D and faces in 3D.
+  enum class First { Nowhere, OnSeams, Everywhere };
   explicit MomentConstraints(First first) : first_(first) {}
 
  protected:

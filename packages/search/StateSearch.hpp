@@ -57,6 +57,7 @@ class StateSearch {
     Near,     ///< the solution of the last load step or of a coarser mesh: changes are small compared with the solution
     Solution  ///< the solution of nearly the same problem: accurate from the first solve
   };
+  /// Searches from given states. Collective if the solver is.
   Result run(PairStates start, Start nearness = Start::Guess);
   /// Rigid motion in which the loads overcome the resistance of all pairs, by limit analysis; empty: none. \param states  whose closed
   /// pairs the motion keeps closed, if it can

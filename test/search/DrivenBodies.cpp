@@ -15,6 +15,9 @@ struct Pressed {
   CondensedBody body{2, 4};
   PairStates now{4};
   ContactBalance at;
+  std::unique_ptr<LawProjection> projection;
+  std::unique_ptr<StabilisingPairs> stabilising;
+  std::unique_ptr<DrivenBodies> driven;
 
   explicit Pressed(double load) {
     std::mt19937 random(41);
@@ -26,20 +29,20 @@ struct Pressed {
     now[3] = PairStatus::Stick;
     const ContactAnswer answer = body.solve(now, 0.0);
     at = {answer.force, answer.jump, 0.0};
+    projection = std::make_unique<LawProjection>(*body.rigid, body.laws, body.sites);
+    stabilising = std::make_unique<StabilisingPairs>(*body.rigid, *projection);
+    driven = std::make_unique<DrivenBodies>(*body.rigid, *projection, *stabilising);
   }
+  bool advance(const PairStates& next, PairStates& found) { return driven->advance(now, at, next, 8.0, {}, found); }
 };
 
 TEUCHOS_UNIT_TEST(DrivenBodies, MoveAlongTheLoadsUntilPairsHold) {
   Pressed pressed(2.0);
-  const RigidContact& rigid = *pressed.body.rigid;
-  const LawProjection projection(rigid, pressed.body.laws, pressed.body.sites);
-  const StabilisingPairs stabilising(rigid, projection);
-  DrivenBodies driven(rigid, projection, stabilising);
   const PairStates next(4);  // nothing would hold the block
   std::vector<PairStates> all;
   PairStates found;
-  while (all.size() < 30 && driven.advance(pressed.now, pressed.at, next, 8.0, {}, found)) {
-    TEST_EQUALITY(rigid.loose(found).cols(), 0);
+  while (all.size() < 30 && pressed.advance(next, found)) {
+    TEST_EQUALITY(pressed.body.rigid->loose(found).cols(), 0);
     TEST_ASSERT(std::any_of(found.begin(), found.end(), [](const ContactState& state) { return state.closed(); }));
     TEST_ASSERT(std::find(all.begin(), all.end(), found) == all.end());
     all.push_back(found);
@@ -50,14 +53,10 @@ TEUCHOS_UNIT_TEST(DrivenBodies, MoveAlongTheLoadsUntilPairsHold) {
 
 TEUCHOS_UNIT_TEST(DrivenBodies, StayWhereNothingDrivesThem) {
   Pressed pressed(0.0);
-  const RigidContact& rigid = *pressed.body.rigid;
-  const LawProjection projection(rigid, pressed.body.laws, pressed.body.sites);
-  const StabilisingPairs stabilising(rigid, projection);
-  DrivenBodies driven(rigid, projection, stabilising);
   pressed.at.force.setZero();  // without round-off
   PairStates found;
-  TEST_ASSERT(!driven.advance(pressed.now, pressed.at, PairStates(4), 8.0, {}, found));                     // no force
-  TEST_ASSERT(!driven.advance(pressed.now, pressed.at, PairStates(4, PairStatus::Stick), 8.0, {}, found));  // no motion
+  TEST_ASSERT(!pressed.advance(PairStates(4), found));                     // no force
+  TEST_ASSERT(!pressed.advance(PairStates(4, PairStatus::Stick), found));  // no motion
 }
 
 }  // namespace
