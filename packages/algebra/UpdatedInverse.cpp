@@ -11,6 +11,9 @@ namespace {
 
 // The base may be accurate to single precision only: this condition of the inverse loses a factor of a thousand.
 constexpr double kLeastEigenvalue = 1e-4;
+// Least size of the updated inverse, relative to the base: new rows that stop a soft motion cancel its large compliance, and with a base in
+// single precision only four digits are left at this ratio.
+constexpr double kCancelled = 1e-3;
 constexpr double kBasisAccuracy = 1e-4;  // relative accuracy of the values of the new basis in the new rows
 
 /// B with a^-1 = B B^T; empty if a, with its diagonal scaled to one, has an eigenvalue that is too small.
@@ -114,7 +117,16 @@ std::unique_ptr<UpdatedInverse> UpdatedInverse::make(std::shared_ptr<const Local
   made->minus_ = PackedColumns(change.minus);
   made->basis_ = PackedColumns(basis);
   made->energy_ = blockAt(change.energy, place, place);
-  return made;
+  return made->cancels(static_cast<int>(constraints.cols())) ? nullptr : std::move(made);
+}
+
+/// True if the update removes nearly all of what the base gives for a flux without a pattern.
+bool UpdatedInverse::cancels(int size) const {
+  Matrix flux(size, 1), before(size, 1), after(size, 1);
+  for (int i = 0; i < size; ++i) flux(i, 0) = 1.0 + std::sin(i);
+  base_->apply(flux, before);
+  apply(flux, after);
+  return !(after.norm() > kCancelled * before.norm());
 }
 
 void UpdatedInverse::apply(ConstLocalView flux, LocalView trace) const {

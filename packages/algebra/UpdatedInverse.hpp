@@ -18,7 +18,8 @@ class UpdatedInverse : public InverseWithBasis {
   /// \param base         an inverse under constraints
   /// \param from         for each new row, the equal row of `base`, or -1
   /// \param constraints  the new rows x trace
-  /// \return null if P' would be inaccurate: the remaining rows hold the trace badly or not at all, or new rows nearly depend on others
+  /// \return null if P' would be inaccurate: the remaining rows hold the trace badly or not at all, new rows nearly depend on
+  /// others, or they stop a motion that the base leaves to a soft support
   static std::unique_ptr<UpdatedInverse> make(std::shared_ptr<const LocalInverse> base, const std::vector<int>& from,
                                               const Matrix& constraints);
 
@@ -26,6 +27,7 @@ class UpdatedInverse : public InverseWithBasis {
   double bytesRead() const override;
 
  private:
+  bool cancels(int size) const;
   UpdatedInverse() = default;
 
   std::shared_ptr<const LocalInverse> base_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <suture/algebra/ConstrainedInverse.hpp>
 #include <suture/algebra/UpdatedInverse.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 
 #include <algebra/SaddleProblem.hpp>
 
@@ -63,6 +64,27 @@ TEUCHOS_UNIT_TEST(UpdatedInverse, IsTheSaddleProblemsSolution) {
       TEST_EQUALITY(found->bytesRead() > base(n, kernel, orders)->bytesRead(), kept < 5 || from.size() > 5);
       TEST_COMPARE(found->basisBytesRead(), >, 0.0);
     }
+}
+
+// A new row that stops a nearly free motion cancels its compliance, with the digits of a base in single precision.
+TEUCHOS_UNIT_TEST(UpdatedInverse, IsRefusedWhereANewRowStopsASoftMotion) {
+  const int n = 210;
+  const Matrix motion = nullSpace(semidefinite(n, 1, 0.0), 1e-9);
+  TEST_EQUALITY(motion.cols(), 1);
+  const Matrix old = rows(n) - rows(n) * motion * motion.transpose();  // leaves the motion to its spring
+  Matrix c(old.rows() + 1, n);
+  c << old, motion.transpose();
+  std::vector<int> from;
+  for (int k = 0; k < old.rows(); ++k) from.push_back(k);
+  from.push_back(-1);
+  for (const double spring : {1.0, 1e-2, 1e-8}) {
+    const Matrix s = semidefinite(n, 1, 0.0) + spring * motion * motion.transpose();
+    const auto found = UpdatedInverse::make(std::make_shared<ConstrainedInverse>(s, old, "it"), from, c);
+    TEST_EQUALITY(found != nullptr, spring > 1e-3);
+    if (!found) continue;
+    const Saddle expected(s, c);
+    TEST_COMPARE((applied(*found, Matrix::Identity(n, n)) - expected.inverse).norm(), <, 1e-3 * expected.inverse.norm());
+  }
 }
 
 TEUCHOS_UNIT_TEST(UpdatedInverse, OfAnUpdateIsOneToo) {
