@@ -8,6 +8,12 @@ Schema ExplicitSchurComplement::schema() {
   return Schema("Dense matrix, from one multifrontal elimination of the interior (BLAS; nested dissection).");
 }
 
+namespace {
+
+constexpr double kSinglePivot = 1e-7;  // smallest relative pivot for which a factor in single precision is used
+
+}  // namespace
+
 void ExplicitSchurComplement::doCompute(const SchurData& data) {
   stiffness_ = &data.stiffness;
   load_ = &data.load;
@@ -18,6 +24,12 @@ void ExplicitSchurComplement::doCompute(const SchurData& data) {
     factor_ = std::move(condensation.factor());
     condensedLoad_ = condensation.condensedLoad();
     interiorEnergy_ = condensation.interiorEnergy();
+    exact_.reset();
+    if (condensation.smallestPivot() < kSinglePivot) {
+      interior_ = complement(data.stiffness.rows(), boundary_);
+      exact_ = data.solver();
+      exact_->factorise(principalBlock(data.stiffness.full(), interior_));
+    }
   } catch (const NumericalError& error) {
     throw NumericalError(data.what + ", interior: " + error.what());
   }
@@ -26,7 +38,7 @@ void ExplicitSchurComplement::doCompute(const SchurData& data) {
 void ExplicitSchurComplement::doReload(const SchurData& data) {
   load_ = &data.load;
   Vector inside = *load_;
-  factor_.solve(*stiffness_, inside);
+  solveInterior(inside);
   const Vector rest = *load_ - *stiffness_ * inside;
   for (std::size_t i = 0; i < boundary_.size(); ++i) condensedLoad_(static_cast<Eigen::Index>(i)) = rest(boundary_[i]);
   interiorEnergy_ = -0.5 * load_->dot(inside);
@@ -34,11 +46,22 @@ void ExplicitSchurComplement::doReload(const SchurData& data) {
 
 void ExplicitSchurComplement::doApply(ConstLocalView trace, LocalView flux) const { schur_.multiply(trace, flux); }
 
+void ExplicitSchurComplement::solveInterior(Vector& x) const {
+  if (!exact_) {
+    factor_.solve(*stiffness_, x);
+    return;
+  }
+  Vector inside = x(interior_);
+  exact_->solve(inside);
+  x.setZero();
+  x(interior_) = inside;
+}
+
 Vector ExplicitSchurComplement::recover(const Vector& trace) const {
   Vector all = Vector::Zero(stiffness_->rows());
   for (std::size_t i = 0; i < boundary_.size(); ++i) all(boundary_[i]) = trace(static_cast<int>(i));
   Vector interior = *load_ - *stiffness_ * all;
-  factor_.solve(*stiffness_, interior);
+  solveInterior(interior);
   return all + interior;
 }
 

@@ -261,6 +261,7 @@ StaticCondensation::StaticCondensation(const SymmetricMatrix& matrix, const Vect
   Matrix ascending;
   factor_ = elimination.run(inOrder, ascending);
   elimination.check().judge();
+  smallestPivot_ = elimination.check().smallest();
 
   interiorEnergy_ = -0.5 * inOrder.head(interior).squaredNorm();
   if (std::is_sorted(boundary.begin(), boundary.end())) {  // the order of the tree

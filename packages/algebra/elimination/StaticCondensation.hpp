@@ -29,11 +29,13 @@ class StaticCondensation {
   double interiorEnergy() const { return interiorEnergy_; }
   /// The factor of A_II, converted to single precision.
   SingleFactor& factor() { return factor_; }
+  /// Smallest pivot of A_II relative to its diagonal entry.
+  double smallestPivot() const { return smallestPivot_; }
 
  private:
   Matrix schur_;
   Vector condensedLoad_;
-  double interiorEnergy_ = 0.0;
+  double interiorEnergy_ = 0.0, smallestPivot_ = 1.0;
   SingleFactor factor_;
 };
 

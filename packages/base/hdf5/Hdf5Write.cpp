@@ -39,6 +39,14 @@ Id variableText() {
   return type;
 }
 
+// HDF5 converts texts in a buffer that it fills with zeros; its default size is a megabyte, which for some texts takes longer than all
+// fields of a small scene.
+Id transferOfTexts() {
+  const Id list = H5Pcreate(H5P_DATASET_XFER);
+  H5Pset_buffer(list, 1024, nullptr, nullptr);
+  return list;
+}
+
 // Bytes in addition to the numbers, per object and per file: reserved, so that HDF5 does not meet a full disk when it closes the file.
 constexpr std::size_t kObjectBytes = 1024, kHeadBytes = 16384;
 
@@ -257,8 +265,9 @@ void Hdf5File::write(const std::string& path, const std::string& text) {
         const Handle links(createGroupsOnTheWay(), H5Pclose), space(H5Screate(H5S_SCALAR), H5Sclose);
         const Handle type(variableText(), H5Tclose), layout(datasetWithoutTime(), H5Pclose);
         const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, layout, H5P_DEFAULT), H5Dclose);
+        const Handle transfer(transferOfTexts(), H5Pclose);
         const char* data = text.c_str();
-        checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &data));
+        checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, transfer, &data));
       },
       text.size());
 }
@@ -276,9 +285,7 @@ void Hdf5File::write(const std::string& path, const std::vector<std::string>& te
         const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), layout(datasetWithoutTime(), H5Pclose);
         checked(H5Tset_size(type, H5T_VARIABLE));
         const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, layout, H5P_DEFAULT), H5Dclose);
-        // HDF5 converts texts in a buffer that it fills with zeros; the default size is a megabyte.
-        const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-        checked(H5Pset_buffer(transfer, 1024, nullptr, nullptr));
+        const Handle transfer(transferOfTexts(), H5Pclose);
         if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, transfer, data.data()));
       },
       bytes);
