@@ -17,7 +17,7 @@ namespace suture {
 
 /// Settings common to all outer solvers.
 struct OuterSettings {
-  double tolerance = 1e-8;  ///< bound of sqrt(r.M r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
+  double tolerance = 1e-8;  ///< bound of sqrt(r.M^-1 r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
   int maximumIterations = 50;
   int maximumInnerIterations = 1000;
   std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes one of the scene's kind, or returns that of an earlier solution
@@ -91,7 +91,7 @@ class OuterSolver {
     bool described = false;  ///< describe() was called
     /// Records the smallest eigenvalue of a solve.
     void learn(const InnerResult& solve);
-    /// Estimate of the algebraic error in the energy norm from a residual: sqrt(r.M r / lowest). An upper bound if these eigenvalues are
+    /// Estimate of the algebraic error in the energy norm from a residual: sqrt(r.M^-1 r / lowest). An upper bound if these eigenvalues are
     /// those of the operator at the solution. Negative: unknown.
     double energyBound(double residual) const { return lowest > 0.0 ? residual * reference / std::sqrt(lowest) : -1.0; }
     /// The algebraic error in the energy norm by the tangent at a state, for methods that do not solve with the tangent. It costs a few
