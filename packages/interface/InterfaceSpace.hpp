@@ -67,9 +67,7 @@ class InterfaceSpace {
   GlobalId id(int place) const { return unknown(place).id; }
   int ownedRow(int place) const { return (*ownedRows_)[place]; }  ///< in map(); -1: another rank owns the unknown
   const Point& point(int place) const { return unknown(place).point; }
-  const Point& direction(int place) const {
-    return unknown(place).direction;
-  }                                                                       ///< direction of its displacement; see InterfaceLayout::Unknown
+  const Point& direction(int place) const { return unknown(place).direction; }  ///< see InterfaceLayout::Unknown
   const Point& moment(int place) const { return unknown(place).moment; }  ///< values under unit rotations about point(); zero for a point
   double flux(int place) const { return unknown(place).flux; }            ///< see InterfaceLayout::Unknown
   /// The relation that expresses the unknown, or null.
