@@ -34,7 +34,7 @@ struct ContactPlaces {
 /// the sides hardly turn on the way, a slide only shifts the points where forces act: it then counts relative to a twentieth of the smaller
 /// body's extent, if that is larger than an element.
 ///
-/// `offset`: moment of contact forces that act across a permanent gap (of sides that are glued in place, or whose gap is given by the
+/// `offset`: moment of contact forces that act across a permanent gap (of sides that are tied in place, or whose gap is given by the
 /// scene), summed over the pairs between two bodies, relative to force times extent of the smaller body.
 void verifyPlaces(ContactPlaces places, Findings& findings);
 
