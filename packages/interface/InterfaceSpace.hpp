@@ -74,9 +74,9 @@ class InterfaceSpace {
   const InterfaceRelation* relation(int place) const { return relationOf_[place] < 0 ? nullptr : &relations_[relationOf_[place]]; }
   /// The relations that this rank sees, in an order independent of the rank.
   const std::vector<InterfaceRelation>& relations() const { return relations_; }
-  /// The space without the relations of several terms and without those of one term that use an unknown of these: expressed unknowns of a
-  /// mortar are free in it, and their sharers are those of their body. Null if this rank sees no such relation: the space would be the
-  /// same.
+  /// The space without relations of several terms, and without relations of one term that use an unknown of these: expressed unknowns of a
+  /// mortar are free, and only local problems of their own body share them. Null if this rank sees no such relation, because the space
+  /// would be the same.
   const std::shared_ptr<const InterfaceSpace>& broken() const { return broken_; }
   /// True if a relation is missing in the broken space.
   bool isBroken(const InterfaceRelation& relation) const { return broken_ && broken_->relationOf_[relation.unknown] < 0; }

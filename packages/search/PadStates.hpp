@@ -19,7 +19,7 @@ class PadStates {
   PadModel::Equilibrium equilibrium(const ContactBalance& at, double softness) const;
   /// True if states leave a motion free, or to a soft support alone, that all pairs together would stop.
   bool loosens(const PairStates& states) const;
-  /// States there. False if the pads have no equilibrium. \param now  states of the pairs that cannot change
+  /// States at this equilibrium. \param now  states of the pairs that cannot change;  \return false: the pads have no equilibrium
   bool near(const ContactBalance& at, double softness, const PairStates& now, PairStates& found) const;
 
  private:
