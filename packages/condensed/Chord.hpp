@@ -3,9 +3,9 @@
 
 namespace suture {
 
-/// Chord iteration U += S^-1 (F - S_0 U - S_KON(U)) with S of all pairs closed. It minimises a majorant of the energy, which decreases in
-/// every step, so it converges for every coercive problem. Accelerated by Anderson's method over the last corrections (combined in the S
-/// inner product); an accelerated step that raises the energy is replaced by the plain one.
+/// Chord iteration U += S^-1 (F - S_0 U - S_KON(U)) with S of all pairs closed. Each step minimises a majorant of the energy, so the energy
+/// decreases, and the iteration converges for every coercive problem. Accelerated by Anderson's method over the last corrections (combined
+/// in the S inner product); an accelerated step that raises the energy is replaced by the plain one.
 class Chord : public OuterSolver {
  public:
   static Schema schema();

@@ -8,7 +8,7 @@ namespace suture {
 class CondensedProblem;
 class CondensedSets;
 
-/// Condensed Groups in terms of pair states with friction. Given states make the groups linear: sticking pairs are glued along their
+/// Condensed Groups in terms of pair states with friction. Given states make the groups linear: sticking pairs are tied along their
 /// tangents too, slipping pairs carry the bound of a Tresca problem. Bounds do not depend on normal forces within a linear problem, so the
 /// condensed operator stays symmetric; Coulomb's law is the fixed point of such problems (TrescaFixedPoint).
 class CondensedFriction : public FrictionStates {

@@ -9,9 +9,9 @@ namespace suture {
 
 class CondensedProblem;
 
-/// Condensed Groups in terms of sets of closed pairs. A set makes the groups linear; the solution of their contact problems at the same
-/// trace is proposed as the next set, which is Newton's method on (17). Rigid motions of bodies are kept apart from the trace: for the
-/// groups they change the gaps.
+/// Condensed Groups in terms of sets of closed pairs. For a given set the groups are linear; the set that their contact problems have at
+/// the same trace is proposed as the next one, which is Newton's method on (17). Rigid motions of bodies are kept apart from the trace: for
+/// the groups they change the gaps.
 class CondensedSets : public ContactSets {
  public:
   /// `problem`, with its groups already made, and its subdomains must outlive it. Collective.

@@ -25,7 +25,7 @@ class ContactCompliance {
     int steps = 0;                     ///< changes of the active set
   };
 
-  /// The structure with given pair states: closed pairs are glued in the normal direction (equality), sticking pairs along the tangents
+  /// The structure with given pair states: closed pairs are tied in the normal direction (equality), sticking pairs along the tangents
   /// too. Slipping pairs have a known force along the slip and a transverse spring; open pairs have no force. Factored once for many
   /// right-hand sides.
   class Closed {

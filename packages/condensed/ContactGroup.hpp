@@ -52,7 +52,7 @@ class ContactGroup {
   /// \param moved  contribution of the bodies' rigid motions, which the trace does not contain, to the rows; empty: none [length]
   Response respond(const Vector& trace, const std::vector<ContactState>& start, const Vector& moved = {}) const;
 
-  /// Response with given pair states, the linear problem (11): closed pairs are glued in the normal direction (at their gaps), sticking
+  /// Response with given pair states, the linear problem (11): closed pairs are tied in the normal direction (at their gaps), sticking
   /// pairs along the tangents too, slipping pairs carry a given tangential force, open pairs none.
   /// \param closed  pairs, made by held()
   Response respondLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& moved = {}) const;

@@ -7,7 +7,7 @@
 namespace suture {
 
 /// A contact group with given pair states: S^0_*j of (11) if all pairs are closed, otherwise the tangent S_*j' at a state. Open pairs carry
-/// no force, closed ones are glued in the normal direction.
+/// no force, closed ones are tied in the normal direction.
 class LinearisedGroup : public LocalProblem {
  public:
   /// `group` must outlive it.

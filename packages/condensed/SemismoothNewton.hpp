@@ -3,9 +3,10 @@
 
 namespace suture {
 
-/// Semismooth Newton on the condensed gradient: (S_0 + S_KON'(status at U)) dU = -grad J(U). A tangent is a set of closed pairs;
-/// StateSearch finds the next one and makes the method global. Starts from rigid bodies on pads, or from the auxiliary solution (Outer
-/// Solver/Start), where the groups' response to the trace gives the first set; from there it takes three to seven steps.
+/// Semismooth Newton on the condensed gradient: (S_0 + S_KON'(status at U)) dU = -grad J(U). A set of closed pairs defines a tangent;
+/// StateSearch finds the next set and makes the method globally convergent. Starts from rigid bodies on pads, or from the auxiliary
+/// solution (Outer Solver/Start = Bilateral), where the groups' response to the trace gives the first set; from there it takes three to
+/// seven steps.
 class SemismoothNewton : public OuterSolver {
  public:
   static Schema schema();

@@ -40,7 +40,7 @@ class ContactClusters {
   /// gap - row . v of each row. [length]
   /// \param moved  contribution of rigid motions, which the trace does not contain, to row . v; empty: none
   Vector gaps(const Vector& trace, const Vector& moved = {}) const;
-  /// 1 / (row K^-1 row^T), the harmonic mean of the two sides' stiffnesses: the complementarity constant of a row. [force / length]
+  /// 1 / (row K^-1 row^T), the stiffness of both sides in series: the complementarity constant of a row. [force / length]
   const Vector& stiffness() const { return rowStiffness_; }
   /// Forces of the closed rows that best balance `imbalance` (internal minus external forces of all unknowns), weighted by compliance: for
   /// a single pair the force on the softer side. > 0 compressive; 0 for open rows. Friction produced by a normal force is part of that

@@ -32,8 +32,8 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
   InterfaceState initialState() const override;
   InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, ContactState>& status) const override;
-  /// The next set is that of semismooth Newton: a closed pair opens if its force is tensile, an open one closes if it penetrates. Forces
-  /// are those on the softer side.
+  /// The next set is that of semismooth Newton: a closed pair opens if its force is tensile, an open pair closes if it penetrates. Forces
+  /// are taken from the softer side.
   Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const override { return evaluateSet(state, {resolution}); }
   Linearisation linearise(const InterfaceState& state) const override;
   int conform(InterfaceState& state) const override;

@@ -14,7 +14,7 @@ struct InterfaceLayout {
     GlobalId id;
     Point point, direction;
     Point moment{0, 0, 0};  ///< [length]
-    /// Volume that a unit displacement carries through the seam or the contact line, out of the local problem of lower id (contact: out of
+    /// Volume that a unit displacement moves through the seam or the contact line, out of the local problem of lower id (contact: out of
     /// side A). Set only for nearly incompressible bodies on the finest level, else zero. [area; volume if axisymmetric]
     double flux = 0.0;
   };

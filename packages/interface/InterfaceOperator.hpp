@@ -22,8 +22,8 @@ struct InterfaceSpring {
 
 /// Contribution of frictional contact to the tangent for given pair states.
 struct FrictionTangent {
-  /// Relations of the virtual displacements if friction depends on normal forces (Coulomb): T'^T S T is not symmetric. Empty: those of the
-  /// space.
+  /// Relations of the virtual displacements if friction depends on normal forces (Coulomb): v_n + friction direction.v_t = 0 for a slipping
+  /// pair; T'^T S T is not symmetric. Empty: those of the space.
   std::vector<InterfaceRelation> test;
   std::vector<InterfaceSpring> springs;  ///< springs that only this rank adds
   bool symmetric = true;                 ///< no friction depends on normal forces; in an operator: on no rank

@@ -56,7 +56,7 @@ class ContactSets {
   virtual const ContactBodies& bodies() const = 0;
   virtual ContactStates statusOf(const ClosedSet& closed) const = 0;
   virtual ClosedSet closedSet(const ContactStates& status) const = 0;
-  /// Evaluates the linear problem of the state's set: closed pairs glued in the normal direction, open ones without force. Residual, pair
+  /// Evaluates the linear problem of the state's set: closed pairs tied in the normal direction, open ones without force. Residual, pair
   /// forces and penetrations are those of this linear problem; `next` are plain flips.
   virtual InterfaceEvaluation evaluateSet(const InterfaceState& state, PairResolution resolution) const = 0;
   /// The set found by the formulation's non-linear local problems at a state: Newton's next set. Empty: not available, or not found.

@@ -67,18 +67,16 @@ class InterfaceSpace {
   GlobalId id(int place) const { return unknown(place).id; }
   int ownedRow(int place) const { return (*ownedRows_)[place]; }  ///< in map(); -1: another rank owns the unknown
   const Point& point(int place) const { return unknown(place).point; }
-  const Point& direction(int place) const {
-    return unknown(place).direction;
-  }                                                                       ///< direction of its displacement; see InterfaceLayout::Unknown
+  const Point& direction(int place) const { return unknown(place).direction; }  ///< see InterfaceLayout::Unknown
   const Point& moment(int place) const { return unknown(place).moment; }  ///< values under unit rotations about point(); zero for a point
   double flux(int place) const { return unknown(place).flux; }            ///< see InterfaceLayout::Unknown
   /// The relation that expresses the unknown, or null.
   const InterfaceRelation* relation(int place) const { return relationOf_[place] < 0 ? nullptr : &relations_[relationOf_[place]]; }
   /// The relations that this rank sees, in an order independent of the rank.
   const std::vector<InterfaceRelation>& relations() const { return relations_; }
-  /// The space without the relations of several terms and without those of one term that use an unknown of these: expressed unknowns of a
-  /// mortar are free in it, and their sharers are those of their body. Null if this rank sees no such relation: the space would be the
-  /// same.
+  /// The space without relations of several terms, and without relations of one term that use an unknown of these: expressed unknowns of a
+  /// mortar are free, and only local problems of their own body share them. Null if this rank sees no such relation, because the space
+  /// would be the same.
   const std::shared_ptr<const InterfaceSpace>& broken() const { return broken_; }
   /// True if a relation is missing in the broken space.
   bool isBroken(const InterfaceRelation& relation) const { return broken_ && broken_->relationOf_[relation.unknown] < 0; }

@@ -39,9 +39,9 @@ struct MonolithicResult {
   double factorFlops = 0.0;
 };
 
-/// Independent reference solver: the whole scene as one system, one sparse Cholesky factorisation with the contact dofs last, the contact
-/// problem condensed to that trailing block and solved exactly (MonolithicContact), and one back-substitution. It shares only element
-/// matrices, loads, constraints and pairs with the decomposition.
+/// Reference solver: the whole scene as one system, one sparse Cholesky factorisation with the contact dofs last, the contact problem
+/// condensed to that trailing block and solved exactly (MonolithicContact), and one back-substitution. It shares element matrices, loads,
+/// constraints, pairs and the search for their states (StateSearch) with the decomposition, but no linear solver.
 ///
 /// For bodies held only by contact the trailing diagonal is shifted for the factorisation, and the shift is subtracted from the condensed
 /// stiffness; their rigid motions are free unknowns of the contact problem.

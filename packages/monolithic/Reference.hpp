@@ -7,8 +7,8 @@
 
 namespace suture {
 
-/// The reference solver in a distributed run: rank 0 solves the whole system by one factorisation, all ranks receive their part of the
-/// solution. XML `Outer Solver/Type` = Monolithic.
+/// Monolithic in a distributed run: rank 0 solves the whole system by one factorisation, all ranks receive their part of the solution. XML
+/// `Outer Solver/Type` = Monolithic.
 class Reference : public Method {
  public:
   static Schema schema();

@@ -12,8 +12,9 @@ struct ElementForces {
   Vector stiffness;  ///< force of each node for a unit displacement of this node alone, of the order of its diagonal entry [force / length]
 };
 
-/// Internal forces from stresses at quadrature points: the same integrals as elementStiffnesses(), without any matrix. Displacements enter
-/// as differences within an element wherever translations are free of energy, so that only the round-off of these differences is left.
+/// Internal forces from stresses at quadrature points: the same integrals as elementStiffnesses(), without any matrix. Along directions in
+/// which translations need no energy, displacements enter as differences within an element, so only the round-off of these differences is
+/// left.
 /// Local. \param displacement  node-major, Cartesian. \throws InputError  if an element is folded
 ElementForces elementForces(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                             const Vector& displacement);

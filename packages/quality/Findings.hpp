@@ -56,10 +56,11 @@ struct Finding {
   }
 };
 
-/// Name in summary.json, and advice if the bound is exceeded. \param byMonolithic  the solution is that of Monolithic
+/// Name in summary.json.
 std::string nameOf(Quantity quantity);
 /// Value above which a run warns although the quantity is within its bound; infinite: never.
 double doubtOf(Quantity quantity);
+/// Advice if the bound is exceeded. \param byMonolithic  the solution is that of Monolithic
 std::string adviceOf(Quantity quantity, bool byMonolithic = false);
 /// Body or pair, with position and names; empty if nothing was found.
 std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces,
@@ -136,7 +137,7 @@ struct Bounds {
   static constexpr double slide = 0.99;
   /// Largest moment of contact forces across a gap, as a fraction of a body's force times its extent.
   static constexpr double offset = 0.05;
-  static constexpr double rotation = 0.3;  ///< [rad] of a body that is hardly constrained: a cosine of .955 is approximated by 1
+  static constexpr double rotation = 0.3;  ///< [rad] of a body that is hardly constrained: linear theory replaces a cosine of .955 by 1
   /// Fraction of a body's force that replaces its contact force as a scale if that is tiny: forces at nodes of open pairs are as small as
   /// the solver's residual (a layer bent by prescribed values without contact: 17 times what 1e-3 would allow).
   static constexpr double idle = 0.03;

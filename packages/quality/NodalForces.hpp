@@ -20,8 +20,8 @@ struct NodalRows {
 /// Forces at the nodes of a scene, and the first part of their resultants.
 struct NodalForces {
   std::vector<Matrix> nodes;  ///< by mesh: NodalRows x nodes, summed over subdomains
-  Balance
-      balance;  ///< forces of rigid obstacles, on the rank that counts a pair, elastic supports, and initial states, which are not loads
+  /// Forces of rigid obstacles (on the rank that counts a pair), elastic supports, and initial states, which are not loads.
+  Balance balance;
   Reactions reactions;  ///< sums over this rank
 };
 

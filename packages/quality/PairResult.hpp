@@ -65,8 +65,8 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
 /// round-off.
 Point slipOf(const ContactPair& pair, const std::vector<Point>& ofEnds);
 
-/// Values on the axis: pressures and gaps there from those of the nearest pairs, without force; the state is that of the nearest pair.
-/// Local, on rank 0. \param pairs  all, by id
+/// Results at points on the axis of revolution, which carry no force: pressure and gap follow from the nearest pairs, the state is that of
+/// the nearest pair. Local, on rank 0. \param pairs  all, by id
 std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs);
 
 /// All pairs on rank 0, by id. Collective.

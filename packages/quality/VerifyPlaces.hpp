@@ -29,12 +29,12 @@ struct ContactPlaces {
 ///
 /// `slide`: relative tangential displacement of the sides of a pair that carries a force, in elements of the finer side; and how far a body
 /// that rotates on a curved side has rolled: rotation, minus what its deformation explains, times the radius of the side, at most its
-/// distance from the body's centre. For an open pair, where the curvature of the sides would close its gap on the way. An obstacle is
+/// distance from the body's centre. An open pair counts if the curvature of the sides would close its gap on the way. An obstacle is
 /// infinite along directions that are tangential to it everywhere. If a pair is farther from the ends of its contact than it slides, and
 /// the sides hardly turn on the way, a slide only shifts the points where forces act: it then counts relative to a twentieth of the smaller
 /// body's extent, if that is larger than an element.
 ///
-/// `offset`: moment of contact forces that act across a permanent gap (of sides that are glued in place, or whose gap is given by the
+/// `offset`: moment of contact forces that act across a permanent gap (of sides that are tied in place, or whose gap is given by the
 /// scene), summed over the pairs between two bodies, relative to force times extent of the smaller body.
 void verifyPlaces(ContactPlaces places, Findings& findings);
 

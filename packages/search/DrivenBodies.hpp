@@ -7,7 +7,7 @@
 namespace suture {
 
 /// Moves bodies that states leave unconstrained along the excess of the loads over the pairs' forces, until the laws give states that hold
-/// them better. Forces stay in equilibrium, because the motion is rigid. States reached once are not reached again. Local.
+/// them better. Forces stay in equilibrium, because the motion is rigid. States found once are not found again. Local.
 class DrivenBodies {
  public:
   /// All arguments must outlive it.
@@ -16,7 +16,8 @@ class DrivenBodies {
 
   /// \param now, balance  states and forces of the current solution;  \param next  states that the laws give there
   /// \param largest, inVain  as in StabilisingPairs::addedTo
-  /// \param found  receives states that hold the bodies. False if no motion is driven, or if only states reached before hold it
+  /// \param found  receives states that hold the bodies
+  /// \return false: no motion is driven, or only states found before would hold the bodies
   bool advance(const PairStates& now, const ContactBalance& balance, const PairStates& next, double largest, const std::vector<int>& inVain,
                PairStates& found);
 

@@ -7,12 +7,12 @@
 namespace suture {
 
 /// Frictionless contact from any admissible forces: the dual energy d.l - l.W l / 2 of forces l >= 0 in equilibrium increases strictly from
-/// one set of closed pairs to the next, so that no set recurs, and the search ends at the solution. Slower than Newton steps and proven;
-/// the way out of StateSearch where these stall.
+/// one set of closed pairs to the next, so no set recurs, and the search ends at the solution. Slower than Newton steps, but proven to
+/// converge; StateSearch uses it if Newton stalls.
 ///
-/// In each step all penetrating pairs close. Forces then move towards the solution of the new set, until the first pair is in tension; it
-/// opens, and so on. If only closing pairs would be in tension, fewer of them close, at last the one that penetrates most: its force is
-/// compressive. Local, apart from the solves.
+/// In each step all penetrating pairs close. Forces then move towards the solution of the new set until a pair would be in tension; this
+/// pair opens, and so on. If only newly closed pairs would be in tension, fewer pairs close, finally only the one that penetrates most,
+/// whose force is compressive. Local, apart from the solves.
 class DualAscent {
  public:
   /// Solves for a set of closed pairs at the final accuracy; null: no solution, or no solves left.

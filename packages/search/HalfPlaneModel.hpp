@@ -9,8 +9,8 @@ namespace suture {
 class HalfPlaneModel {
  public:
   explicit HalfPlaneModel(const RigidContact& rigid) : rigid_(rigid) {}
-  /// Predicted closed set, starting from a state of the bodies. Along stretches of some hundred pairs whose signs change, the set given by
-  /// the signs is used.
+  /// Predicted closed set, starting from a state of the bodies. Where the signs of some hundred adjacent pairs change, the set given by the
+  /// signs is used.
   /// \param closed, flipped      the set of the state, and the set given by the signs of its forces and penetrations
   /// \param force, penetration   of the state: forces of closed pairs, penetrations of open ones
   ClosedSet closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force, const Vector& penetration) const;

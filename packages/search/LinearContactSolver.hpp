@@ -14,7 +14,7 @@ struct FrictionSite {
   bool slipped = false;     ///< the pair has slid in an earlier load step
 };
 
-/// Solution of the linear problem for given states: closed pairs are glued along the normal, sticking ones along the tangents too; slipping
+/// Solution of the linear problem for given states: closed pairs are tied along the normal, sticking ones along the tangents too; slipping
 /// ones carry the tangential force of their state.
 struct ContactAnswer {
   Matrix force;           ///< pairs x 3, in the frames of the pairs: force on side B [force]

@@ -39,8 +39,8 @@ class PadModel {
   /// Limit analysis (static theorem): a unit motion in which the loads do more work than all forces in the cones can resist; empty if
   /// forces in the cones can balance the loads. No equilibrium exists along such a motion, at any position of the bodies with these pairs.
   Vector unbalanced() const;
-  /// True if forces on given rays and planes balance the loads. \param active  pairs x 3, column blocks: directions of the possible forces
-  /// of each pair, orthonormal or zero
+  /// True if forces on given rays and planes balance the loads. \param active  for each pair, the directions of its possible forces as
+  /// columns, orthonormal or zero
   bool balances(const std::vector<Eigen::Matrix3d>& active) const;
 
  private:

@@ -14,8 +14,8 @@ class PadProblem {
   PadProblem(const Matrix& rows, const Vector& stiffness, const Vector& work, double forceScale)
       : rows_(rows), stiffness_(stiffness), work_(work), forceScale_(forceScale) {}
 
-  /// Moves from x to the equilibrium. If plain steps do not converge, pads are used that press before they are touched and are then
-  /// stiffened.
+  /// Moves from x to the equilibrium. If plain steps do not converge, the steps start with pads that press before they are touched, which
+  /// are then stiffened.
   /// \param x  motions
   /// \param y  penetrations t + rows x, updated with x and never recomputed from it: the round-off of large motions then changes gaps
   /// equally little, and forces keep their accuracy

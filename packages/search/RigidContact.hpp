@@ -32,8 +32,7 @@ class RigidContact {
     std::vector<char> canChange;           ///< pairs that can change; the others have no free unknowns and zero rows
     bool surfaces = false;                 ///< pairs of one line lie on a surface and are not ordered
     std::vector<Matrix> tangents = {};     ///< as `rows`, along each tangent; empty without friction
-    std::vector<char> bound =
-        {};  ///< pairs that never open (ContactLaw::separates), which cannot change; motions keep them closed. Empty: none
+    std::vector<char> bound = {};          ///< pairs that never open (ContactLaw::separates): motions keep them closed. Empty: none
   };
 
   explicit RigidContact(Pairs pairs);
@@ -78,10 +77,10 @@ class RigidContact {
   /// True if a set leaves a motion free that all pairs together would stop.
   bool loosens(const ClosedSet& closed) const;
   bool loosens(const PairStates& states) const;
-  /// Open pairs (holders) that stop all motions that pairs can stop, when closed in addition to a set with the free motions `loose`: one
-  /// per motion, chosen for the best conditioning.
+  /// Stabilising pairs (holders): open pairs that, closed in addition to a set with the free motions `loose`, stop all motions that pairs
+  /// can stop: one per motion, chosen for the best conditioning.
   std::vector<int> holders(const ClosedSet& closed, const Matrix& loose) const;
-  /// Forces on holders from statics alone, if loads do work in free motions: > 0 compressive. Zero if the work is round-off.
+  /// Forces of stabilising pairs from statics alone, if loads do work in free motions: > 0 compressive. Zero if the work is round-off.
   Vector holderForces(const std::vector<int>& holders, const Matrix& loose) const;
   /// The combination z of free motions Z that minimises penetration of open pairs: argmin sum (w + rows Z z)_+^2 / c. Zero if none
   /// penetrates.
@@ -97,7 +96,7 @@ class RigidContact {
 
  private:
   void findComponents();
-  /// A row of the model: its motions and its effect on them.
+  /// A sparse row of the model: motions and their effects.
   using Entries = std::vector<std::pair<int, double>>;
   void findEntries();
   Matrix nullSpaceOf(const std::vector<const Entries*>& rows) const;

@@ -9,7 +9,7 @@ namespace suture {
 /// Adds pairs to given states until these leave no rigid motion free, so that linear problems are never singular.
 ///
 /// In a neutral motion, neither loads nor slipping pairs do work: a ball between two plates turns about the line through its poles. A
-/// spring along a tangent of an open pair holds it; the spring has no force at equilibrium, and in contrast to a glued pair it closes no
+/// spring along a tangent of an open pair holds it; the spring has no force at equilibrium, and in contrast to a tied pair it closes no
 /// gap. Without friction there are no such springs, and neutral motions stay free. Other free motions are held by open or sliding pairs
 /// that stick. Where their forces then exceed the laws, the search changes them like others. Local.
 class StabilisingPairs {

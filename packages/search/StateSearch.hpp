@@ -15,15 +15,15 @@ namespace suture {
 ///      in equilibrium, so a line search on the distance from the laws costs no solve; if no step reduces it, a full step is taken (with
 ///      friction). If states cannot balance the loads, bodies are moved along the loads to states that hold them, or the states of the pads
 ///      at t = c l + w are used.
-///   4. If the closed pairs leave bodies a motion in which no force does work (a ball between two plates turns about the line through its
-///      poles), a spring along a tangent of an open pair holds it, without force, at the current position. Without friction an open pair is
-///      closed, without force, and the body is then moved to where open pairs penetrate least.
-///      Bodies that only soft supports hold (SoftBodies) must not be left to these, and where pairs bend such a body towards another one,
-///      as a glue would, the pads of the bent shapes give the next states.
+///   4. If the closed pairs leave a motion in which no force does work (a ball between two plates turns about the line through its poles),
+///   a
+///      spring along a tangent of an open pair holds it, without force, at the current position. Without friction an open pair is closed,
+///      without force, and the body is then moved to where open pairs penetrate least. States that leave a body to soft supports alone
+///      (SoftBodies), or that tie it to another body by pairs in tension, are replaced by those of the pads.
 ///   5. If the distance has not decreased for some steps, or without friction if states recur: a convex problem (all pairs frictionless) is
-///      solved by DualAscent, proven to end at the solution. With friction: Newton from the other side, with all pairs sticking, and from
-///      the states of the pads at earlier solutions, with different constants. Before that, bodies that slide as a whole in spite of
-///      elastic pressure are recognised by Collapse.
+///      solved by DualAscent, which is proven to converge. With friction, Collapse first looks for bodies that slide as a whole in spite of
+///      elastic pressure; then Newton restarts with all pairs sticking, and from the states of the pads at earlier solutions, with
+///      different constants.
 /// The accuracy of the solves is tied to the distance from the laws.
 class StateSearch {
  public:
@@ -51,7 +51,7 @@ class StateSearch {
   PairStates start();
   /// Normal forces of the pads, after start(). [force]
   const Vector& guess() const { return guess_; }
-  /// How near the start is to the solution, which sets the accuracy of the first solve.
+  /// Distance of the start from the solution, which determines the accuracy of the first solve.
   enum class Start {
     Guess,    ///< as inaccurate as the solver allows
     Near,     ///< the solution of the last load step or of a coarser mesh: changes are small compared with the solution

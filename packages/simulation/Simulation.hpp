@@ -30,9 +30,9 @@ struct RunResult {
 ///
 ///     const Solution solution = Simulation(comm, scene).solve();
 ///
-/// Programs that need to act between the stages call them one by one, each once, in the order of declaration: read(), cut(), check(),
-/// prepare(), iterate(), judge(); any other order is an InternalError. Only the monitor prints, and files are written only after
-/// writeInto(). All functions are collective, except the const accessors.
+/// Programs that need to act between the stages call read(), cut(), check(), prepare(), iterate() and judge(), each once and in this order;
+/// any other order is an InternalError. Only the monitor prints, and files are written only after writeInto(). All functions are
+/// collective, except the const accessors.
 /// \throws Error  of any kind, the same on all ranks
 class Simulation {
  public:
@@ -55,8 +55,8 @@ class Simulation {
   void read();
   /// Creates the subdomains on their ranks, with their loads.
   void cut();
-  /// Refuses elements that lock, scenes without a solution, exact solutions without a value, probes outside the
-  /// bodies, and runs that exceed the memory.
+  /// Refuses elements that lock, scenes without a solution, exact solutions without a value, probes outside the bodies, and runs that
+  /// exceed the memory.
   void check();
   /// Finds the amounts of controlled loads, removes prescribed rigid motions from the scene, assembles and factors.
   void prepare();

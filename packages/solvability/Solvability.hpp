@@ -13,7 +13,7 @@ namespace suture {
 /// - A solution exists if and only if no z with B z <= 0 does positive work: equivalently (Farkas) if contact forces p >= 0 with B^T p = w
 ///   exist. This is a nonnegative least squares problem for p; its residual is the motion by which a body escapes.
 /// - Friction laws add forces: edges of their cones; tangential forces of any size if a bound without pressure exists (cohesion, Tresca:
-///   the solver finds out whether it suffices); both signs if sides are glued or never separate.
+///   the solver finds out whether it suffices); both signs if sides are tied or never separate.
 /// - The solution is unique only if B z = 0 has no solution other than z = 0. A body with such a motion slides along its contacts: its
 ///   position is not determined. B z counts as zero up to the accuracy of mesh files: a round body turns in its round seat.
 /// - A motion with nonzero B z <= 0 that does no work (grazing contact; a body that rests on its seat without load) is allowed: solvers

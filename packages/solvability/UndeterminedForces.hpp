@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// Makes contact forces unique. If closed pairs share nodes (a node in several contacts, glued sides that meet in one point) or nodes held
+/// Makes contact forces unique. If closed pairs share nodes (a node in several contacts, tied sides that meet in one point) or nodes held
 /// by boundary conditions, several sets of contact forces cause the same displacements: they differ by a null vector of the transposed
 /// closed rows. Among the forces that the contact laws allow, those with the least traction norm are kept,
 ///     sum over the pairs of |force|^2 / tributary length or area,

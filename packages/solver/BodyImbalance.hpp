@@ -23,10 +23,10 @@ constexpr double kSharper = 0.7;
 double bodyImbalance(const ContactBodies& bodies, const Matrix& force, const Vector& energy, const Vector& largest);
 
 /// Largest residual norm of a body relative to its own energy.
-/// \param own    product r.M r of each part
+/// \param own    product r.M^-1 r of each part
 /// \param least  lower bound of the energy of each part, twice
 double bodyResidual(const Vector& own, const Vector& energy, const Vector& largest, const Vector& least);
-/// Products r.M r per part. Collective.
+/// Products r.M^-1 r per part. Collective.
 Vector productsByPart(const ContactSets& sets, const Preconditioner& preconditioner, const MultiVector& r);
 
 }  // namespace suture

@@ -12,7 +12,7 @@ namespace suture {
 struct InnerResult {
   int pcg = 0;  ///< applications of the operator
   bool converged = false;
-  double residual = 0.0;             ///< sqrt(r.M r) / reference
+  double residual = 0.0;             ///< sqrt(r.M^-1 r) / reference
   double reference = 0.0;            ///< reference norm: the given one, or that of the right-hand side
   double condition = 1.0;            ///< condition number of M^-1 S, estimated from the Lanczos matrix of the CG coefficients
   double largestEigenvalue = 1.0;    ///< largest eigenvalue of that matrix
@@ -32,7 +32,8 @@ struct EnergyCriterion {
   double lowest = 0.0;  ///< smallest eigenvalue of M^-1 S in earlier solves; 0: unknown
 };
 
-/// Preconditioned conjugate gradients (PseudoBlockCGIter of Belos with a custom status test): stops when sqrt(r.M r) falls below tolerance
+/// Preconditioned conjugate gradients (PseudoBlockCGIter of Belos with a custom status test): stops when sqrt(r.M^-1 r) falls below
+/// tolerance
 /// * reference. The solver managers of Belos stop on the Euclidean norm, which for jumps of stiffness or prescribed displacements accepts
 /// vectors far from the solution. A solve can be resumed: its state and Lanczos matrix are kept when it stops.
 class InnerSolver {
@@ -65,7 +66,7 @@ class InnerSolver {
   std::unique_ptr<Solve> solve_;  // the last solve
 };
 
-/// sqrt(r.M r), the residual norm used throughout. Collective.
+/// sqrt(r.M^-1 r), the residual norm used throughout. Collective.
 double preconditionedNorm(const Preconditioner& preconditioner, const MultiVector& r);
 
 }  // namespace suture

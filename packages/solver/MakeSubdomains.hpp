@@ -35,7 +35,7 @@ void assemble(const Comm& comm, const Subdomains& subdomains);
 /// Elastic subdomains, assembled. Collective. \throws NumericalError
 Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
 
-/// Frees the subdomains that are not needed to verify a solution, those that follow the model, and sets them to null. Local.
+/// Frees the subdomains that follow the model, which are not needed to verify a solution, and sets them to null. Local.
 void releaseFollowers(Subdomains& subdomains);
 
 }  // namespace suture

@@ -39,9 +39,9 @@ struct Start {
   std::vector<BodyForces> carried{};   ///< largest forces on each body in earlier load steps; empty: none
 };
 
-/// Solution method for a scene cut into subdomains: `Decomposition`, with an outer solver on the interface, or a method for the whole scene
-/// with its own name among the values of `Outer Solver/Type`: `Reference` (Monolithic), or a user's method added through Registry<Method>.
-/// The base class checks the order of calls, makes the subdomains and measures times; subclasses implement doAssemble() and doSolve().
+/// Solution method for a scene cut into subdomains: `Decomposition`, with an outer solver on the interface, or a method for the whole
+/// scene, selected by its name in `Outer Solver/Type`: `Reference` (Monolithic), or a user's method added through Registry<Method>. The
+/// base class checks the order of calls, makes the subdomains and measures times; subclasses implement doAssemble() and doSolve().
 class Method {
  public:
   static const char* kind() { return "method"; }

@@ -17,11 +17,12 @@ namespace suture {
 
 /// Settings common to all outer solvers.
 struct OuterSettings {
-  double tolerance = 1e-8;  ///< bound of sqrt(r.M r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
+  /// Bound of sqrt(r.M^-1 r), r = F - S_0 U - S_KON(U), relative to its value at InterfaceProblem::initialState().
+  double tolerance = 1e-8;
   int maximumIterations = 50;
   int maximumInnerIterations = 1000;
   std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes one of the scene's kind, or returns that of an earlier solution
-  bool rigidStart = true;                                 ///< methods with their own start: rigid bodies on pads; else all pairs closed
+  bool rigidStart = true;  ///< methods that work by sets start from rigid bodies on pads; false: from all pairs closed
   AutomaticTolerance::Estimate discretisationError = {};  ///< if set, iterations may end before `tolerance`, see AutomaticTolerance
   /// Called on all ranks with the state of every outer iteration except the last, for restarts. Collective.
   std::function<void(const InterfaceState&)> accepted = {};
@@ -63,7 +64,7 @@ class OuterSolver {
     InnerSolver inner;
     Teuchos::RCP<InterfaceOperator> bilateral;    ///< S, all pairs closed
     Teuchos::RCP<Preconditioner> preconditioner;  ///< preconditioner of S; its norm is the stopping norm
-    double reference = 0.0;                       ///< norm of the lifted start's residual
+    double reference = 0.0;                       ///< norm of the residual at InterfaceProblem::initialState()
     double referenceEuclidean = 0.0;
     double begin = 0.0;  ///< seconds
     OuterResult& result;
@@ -91,13 +92,13 @@ class OuterSolver {
     bool described = false;  ///< describe() was called
     /// Records the smallest eigenvalue of a solve.
     void learn(const InnerResult& solve);
-    /// Estimate of the algebraic error in the energy norm from a residual: sqrt(r.M r / lowest). An upper bound if these eigenvalues are
+    /// Estimate of the algebraic error in the energy norm from a residual: sqrt(r.M^-1 r / lowest). An upper bound if these eigenvalues are
     /// those of the operator at the solution. Negative: unknown.
     double energyBound(double residual) const { return lowest > 0.0 ? residual * reference / std::sqrt(lowest) : -1.0; }
     /// The algebraic error in the energy norm by the tangent at a state, for methods that do not solve with the tangent. It costs a few
     /// iterations, which are added to `cost`, and is computed only if it may end the iterations (otherwise negative: unknown). Collective.
     double energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual, InnerResult& cost);
-    /// Message why the automatic tolerance ended the iterations.
+    /// Message that states why the automatic tolerance ended the iterations.
     std::string reason() const;
     /// True if a stop was requested. Collective.
     bool stopRequested();

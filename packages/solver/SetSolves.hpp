@@ -8,8 +8,8 @@ namespace suture {
 
 /// Linear solver of StateSearch for frictionless contact on the interface: preconditioned conjugate gradients. Collective.
 ///
-/// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), for each cluster of bodies connected by
-/// closed pairs. S is block diagonal in clusters, and each block is scaled by its own energy for conjugate gradients, so that a weak
+/// The norm of a residual is sqrt(r.M^-1 r) relative to the energy norm of the solution, sqrt(U.S U), for each cluster of bodies connected
+/// by closed pairs. S is block diagonal in clusters, and each block is scaled by its own energy for conjugate gradients, so that a weak
 /// cluster is solved as accurately as a strong one. At the end the residual of each body must also be small compared with the energy of the
 /// body.
 class SetSolves : public LinearContactSolver {

@@ -17,8 +17,8 @@ struct NeutralMotion {
   std::string words;        ///< "turn about (3, 4), clockwise"
   bool loaded = false;      ///< forces act on the body, so its position matters
   bool bothSenses = false;  ///< free in both senses; else only away from touching pairs
-  bool least = true;  ///< true: the smallest displacement is chosen; false: the motion is kept as found, because with friction it depends
-                      ///< on the path
+  /// The smallest displacement is chosen; false: the displacement is kept, because with friction it depends on the path.
+  bool least = true;
 };
 
 /// Contact forces that equilibrium does not determine: pairs of these contacts can share their forces in several ways.

@@ -29,14 +29,14 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& se
                            const InterfaceState* start = nullptr, const AutomaticTolerance::Estimate& discretisationError = {},
                            const std::function<void(const InterfaceState&)>& accepted = {}, Teuchos::RCP<Preconditioner>* kept = nullptr);
 
-/// Message why a search for the set of closed pairs did not end: "; pairs 3, 4 of contact 'joint' (bodies 'upper', 'lower') still open
-/// ...". Local.
+/// Message that names the pairs for which a search for the set of closed pairs did not end: "; pairs 3, 4 of contact 'joint' (bodies
+/// 'upper', 'lower') still open ...". Local.
 /// \param pairs  the last ones that changed, not empty;  \param contacts, bodies  names;  \param atLimit  it stopped at the limit of
 /// iterations
 std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
                       const std::vector<std::string>& bodies, bool atLimit = true);
 
-/// Message why there is no equilibrium: which bodies contact or friction does not hold, and where they move. Local.
+/// Message for a scene without equilibrium: the bodies that contact or friction does not hold, and their motion. Local.
 /// \param motion  OuterResult::slides;  \param bodies  names;  \param rubs  false: no contact has friction;  \param multiple  factor on
 /// friction that would hold them; 0: unknown
 std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, bool rubs,

@@ -6,9 +6,9 @@
 namespace suture {
 
 /// Preconditioner of operators in which only springs hold some rigid motions Z (FrictionTangent::motions): M^-1 = M_0^-1 + Z E^-1 Z^T, with
-/// E the energy of the springs in these motions. M_0 is another preconditioner, without springs, of the space in which as many unknowns are
-/// fixed as there are motions: those that determine the motions best. Without such motions M = M_0. Set up again only if the space, its
-/// local problems or these unknowns change.
+/// E the energy of the springs in these motions. M_0 is another preconditioner, without springs, of the space in which as many unknowns
+/// vanish as there are motions; the unknowns that determine the motions best are chosen. Without such motions M = M_0. Set up again only if
+/// the space, its local problems or these unknowns change.
 class SpringPreconditioner : public Preconditioner {
  public:
   explicit SpringPreconditioner(Teuchos::RCP<Preconditioner> other) : other_(std::move(other)) {}
