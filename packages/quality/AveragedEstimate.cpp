@@ -17,8 +17,10 @@ namespace suture {
 
 namespace {
 
-// Stresses below this multiple of the round-off of displacements count as zero.
+// Stresses below this multiple of the round-off of displacements and of initial stresses count as zero.
 constexpr double kRounding = 1e3;
+// Stresses below this multiple of the solver's tolerance, relative to earlier load steps, count as zero.
+constexpr double kUnsolved = 100.0;
 
 /// Sampling points of the stress of a cell, and the multilinear field through the samples.
 struct Samples {
@@ -62,7 +64,7 @@ const Samples& samplesOf(Cell cell) {
 /// Squares of energy norms.
 struct Norms {
   double error = 0.0, solution = 0.0;
-  double rounding = 0.0;  ///< possible contribution of the displacements' round-off to the solution
+  double rounding = 0.0;  ///< possible contribution of round-off, of displacements and initial stresses, to the solution
 };
 
 /// Stresses of one block at the sampling points of its elements. \tparam D  dimension
@@ -163,6 +165,7 @@ class SampledStresses {
                        double largest, Norms& norms) {
     const StressVector<D> own = element.isInitial() ? element.ofDisplacement() : stress;
     norms.solution += measure * law.complementary(own);
+    if (element.isInitial()) norms.rounding += unitRoundoff * unitRoundoff * measure * law.complementary(stress - own);
     double steepness = 0.0;
     for (int k = 0; k < D; ++k) steepness += std::abs(element.map().gradient(0)[k]);
     const double strain = unitRoundoff * steepness * largest;
@@ -179,7 +182,7 @@ class SampledStresses {
 
 template <int D>
 double estimateOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                  const std::vector<Vector>& displacement) {
+                  const std::vector<Vector>& displacement, const EarlierEnergy& earlier) {
   std::vector<VertexPatches> patches;
   std::vector<SampledStresses<D>> stresses;
   std::vector<Matrix> sums;
@@ -200,14 +203,17 @@ double estimateOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, co
   const double mine[3] = {norms.error, norms.solution, norms.rounding};
   double total[3];
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 3, mine, total);
-  return total[1] > kRounding * kRounding * total[2] ? std::sqrt(total[0] / total[1]) : 0.0;
+  const double unsolved = kUnsolved * earlier.tolerance,
+               negligible = kRounding * kRounding * total[2] + unsolved * unsolved * earlier.twice;
+  return total[1] > negligible ? std::sqrt(total[0] / total[1]) : 0.0;
 }
 
 }  // namespace
 
 double averagedEstimate(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                        const std::vector<Vector>& displacement) {
-  return model.dimension == 2 ? estimateOf<2>(comm, meshes, model, displacement) : estimateOf<3>(comm, meshes, model, displacement);
+                        const std::vector<Vector>& displacement, const EarlierEnergy& earlier) {
+  return model.dimension == 2 ? estimateOf<2>(comm, meshes, model, displacement, earlier)
+                              : estimateOf<3>(comm, meshes, model, displacement, earlier);
 }
 
 }  // namespace suture

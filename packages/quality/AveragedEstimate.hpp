@@ -6,14 +6,22 @@
 
 namespace suture {
 
+/// The largest energy in earlier load steps, by which the stresses of a scene that has been unloaded are recognised as errors of the
+/// solver.
+struct EarlierEnergy {
+  double twice = 0.0;      ///< upper bound of twice the energy; 0: no earlier steps [force length]
+  double tolerance = 0.0;  ///< of the solver, relative, in the energy norm
+};
+
 /// A cheap estimate of the discretisation error in the energy norm: the elements' stresses minus their averages at the vertices of each
 /// material, weighted by the elements' sizes (Zienkiewicz and Zhu, Int. J. Num. Meth. Eng. 24, 337-357, 1987). Solves nothing and exchanges
 /// the averages at seams once. Less accurate than estimateError(), especially at boundaries, where the averages are one-sided; sufficient
 /// to detect meshes that are too coarse.
 ///
-/// Returns the error relative to the solution's energy norm [-]; 0 if all stresses are round-off. Independent of partition and ranks up to
+/// Returns the error relative to the solution's energy norm [-]; 0 if all stresses are round-off, or errors
+/// of the solver. Independent of partition and ranks up to
 /// round-off. Collective. \param displacement  of each mesh, node-major, Cartesian
 double averagedEstimate(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                        const std::vector<Vector>& displacement);
+                        const std::vector<Vector>& displacement, const EarlierEnergy& earlier = {});
 
 }  // namespace suture

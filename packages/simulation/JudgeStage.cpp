@@ -62,14 +62,18 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
 }
 
 void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
-                  Solution& solution, Timers& timers) {
+                  const LoadPath* path, Solution& solution, Timers& timers) {
   if (solution.discretisation || !scene.settings().sublist("Output").get<bool>("Mesh Error")) return;
   const int mine =
       std::any_of(subdomains.begin(), subdomains.end(), [](const auto& subdomain) { return subdomain && !subdomain->followsModel(); });
   int any = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   if (any != 0) return;
-  solution.meshError = timed(timers, "estimate", [&] { return averagedEstimate(comm, meshes, scene.model, solution.displacement); });
+  EarlierEnergy earlier{0.0, requestedAccuracy(scene.settings(), solution)};
+  if (path)
+    for (const BodyForces& body : path->carried()) earlier.twice += body.energy();
+  solution.meshError =
+      timed(timers, "estimate", [&] { return averagedEstimate(comm, meshes, scene.model, solution.displacement, earlier); });
 }
 
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution) {

@@ -28,7 +28,7 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
 /// Adds a cheap estimate of the discretisation error (averagedEstimate) if the settings request it and there is no other estimate. Skipped
 /// for scenes with user-defined subdomains, whose stress law is unknown. Phase "estimate". Collective.
 void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
-                  Solution& solution, Timers& timers);
+                  const LoadPath* path, Solution& solution, Timers& timers);
 
 /// Adds the extremes of the verified solution. Collective.
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution);

@@ -207,7 +207,7 @@ void Simulation::judgeSolution() {
   method_.reset();
   if (!isJudged_ && (!followsPath() || path_->rows.empty())) judge(solution_, subdomains);
   // Once per run: load steps and coupled solves share the mesh.
-  estimateMesh(*comm_, cut_.meshes, subdomains, scene_, solution_, timers_);
+  estimateMesh(*comm_, cut_.meshes, subdomains, scene_, path_.get(), solution_, timers_);
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
   for (const std::string& note : meshNotes(solution_)) monitor_.note(note);
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
