@@ -88,7 +88,7 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, Pair
     }
   });
   const Matrix all = everywhere(mine);
-  const RigidContact& rigid = bodies_->rigid();
+  const RigidBodyModel& rigid = bodies_->rigid();
   const ClosedSet closed = closedSet(state.status);
   result.force = all.col(0);
   result.penetration = all.col(1);
@@ -120,7 +120,7 @@ ClosedSet CondensedSets::proposal(const InterfaceState& state) const {
 }
 
 InterfaceState CondensedSets::padState() const {
-  RigidContact& rigid = bodies_->rigid();
+  RigidBodyModel& rigid = bodies_->rigid();
   InterfaceState state;
   state.trace = problem_.space()->vector();
   state.status = statusOf(rigid.start());
@@ -138,7 +138,7 @@ void CondensedSets::separate(InterfaceState& state) const { move(state, motions_
 
 Vector CondensedSets::movedRows(int group, const InterfaceState& state) const {
   if (state.rigid.size() == 0) return {};
-  const RigidContact::Pairs& data = bodies_->rigid().data();
+  const RigidBodyModel::Pairs& data = bodies_->rigid().data();
   const ContactRows& rows = problem_.groups()[group]->rows();
   Vector moved = Vector::Zero(rows.rows.rows());
   for (std::size_t component = 0; component <= data.tangents.size(); ++component) {

@@ -193,7 +193,7 @@ ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector
   inverse_.apply(v);
   const Vector gap = moved.size() > 0 ? Vector(rows_.gap - moved) : rows_.gap;
   const Vector open = rows_.rows * v.col(0) - gap;
-  RigidContact::Pairs data;
+  RigidBodyModel::Pairs data;
   data.rows = rigidRows_;
   data.work = work;
   data.penetration = -gap;
@@ -204,7 +204,7 @@ ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector
     data.line.push_back(rows_.surfaces ? rows_.lines[i] : goesOn ? data.line.back() : i);
   }
   data.canChange.assign(pairs(), 1);
-  RigidContact rigid(std::move(data));
+  RigidBodyModel rigid(std::move(data));
   DelassusProblem problem(rigid, compliance_, open, {});
   PairStates first(start.begin(), start.end());
   StateSearch search(rigid, problem, kMostSolves);

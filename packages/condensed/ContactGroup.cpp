@@ -81,7 +81,7 @@ void ContactGroup::collectRows(const ContactLaws& laws) {
   std::vector<const ContactRow*> able;
   for (const auto& [id, row] : found) {
     const ContactLaw& law = laws.of(row->pair.line);
-    if (!row->able() && law.separates()) {
+    if (!row->canChange() && law.separates()) {
       idlePairs_.push_back(row->pair);
       continue;
     }

@@ -30,7 +30,7 @@ GroupMemory groupMemory(const std::vector<const Subdomain*>& members) {
       memory.unknowns += !counted;
     }
     for (const ContactRow& row : mesh.contactRows)
-      if (row.able()) rowsOf[row.pair.id] = row.equations.size();
+      if (row.canChange()) rowsOf[row.pair.id] = row.equations.size();
   }
   memory.pairs = static_cast<int>(rowsOf.size());
   for (const auto& [pair, rows] : rowsOf) memory.rows += static_cast<int>(rows);

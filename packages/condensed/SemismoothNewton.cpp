@@ -30,7 +30,7 @@ void SemismoothNewton::doSolve(Run& run) const {
     ActiveSet::search(run, innerTolerance_);
     return;
   }
-  const RigidContact& rigid = run.problem.sets()->bodies().rigid();
+  const RigidBodyModel& rigid = run.problem.sets()->bodies().rigid();
   FrictionSolves solves(run, innerTolerance_);
   PairStates start;
   if (run.given)

@@ -10,8 +10,8 @@ namespace suture {
 class TrescaFixedPoint {
  public:
   /// All arguments must outlive it. \param most  maximum number of solves
-  TrescaFixedPoint(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, LinearContactSolver& solver,
-                   int most)
+  TrescaFixedPoint(const RigidBodyModel& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites,
+                   LinearContactSolver& solver, int most)
       : rigid_(rigid), laws_(laws), sites_(sites), solver_(solver), left_(most) {}
 
   /// \param start  states of an earlier solution; empty: those of the pads
@@ -21,7 +21,7 @@ class TrescaFixedPoint {
   bool next(Vector& normal, const Vector& found, double same);
   StateSearch::Result solve(const PairStates& start, const Vector& normal, int most);
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
   LinearContactSolver& solver_;

@@ -83,7 +83,7 @@ std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constra
 
 ContactState pressedState(const ContactRow& row, const ContactLaw& law) {
   if (!law.separates()) return law.pressed();
-  if (!row.able()) return {};
+  if (!row.canChange()) return {};
   return row.restrictsSliding() ? ContactState(PairStatus::Slip) : law.pressed();
 }
 

@@ -32,7 +32,7 @@ struct ContactRow {
   const Equation& normal() const { return equations.front(); }
   Equation& normal() { return equations.front(); }
   /// True if the pair can open and close: at least one of its nodes can move along the normal.
-  bool able() const { return !normal().dofs.empty(); }
+  bool canChange() const { return !normal().dofs.empty(); }
   /// True if the law restricts sliding.
   bool restrictsSliding() const { return equations.size() > 1; }
 

@@ -45,10 +45,10 @@ ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr
   Meshes meshes;
   for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
   findParts(comm, meshes);
-  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws, free_);
+  RigidBodyModel::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws, free_);
   pairs.work = work(comm, subdomains, free_);
   bind(pairs);
-  rigid_ = std::make_unique<RigidContact>(std::move(pairs));
+  rigid_ = std::make_unique<RigidBodyModel>(std::move(pairs));
   findSoftMotions(comm, meshes, subdomains, pairStiffness, laws);
   findLoads(comm, subdomains);
   remember({});
@@ -59,10 +59,10 @@ ContactBodies::ContactBodies(const Comm& comm, const Meshes& meshes, const Conta
   std::map<int, double> ones;
   for (const SubdomainMesh* mesh : meshes)
     for (const ContactRow& row : mesh->contactRows) ones[row.pair.id] = 1.0;
-  RigidContact::Pairs pairs = gatherPairs(comm, meshes, ones, laws, free_);
+  RigidBodyModel::Pairs pairs = gatherPairs(comm, meshes, ones, laws, free_);
   pairs.work = Vector::Zero(free_.count);
   bind(pairs);
-  rigid_ = std::make_unique<RigidContact>(std::move(pairs));
+  rigid_ = std::make_unique<RigidBodyModel>(std::move(pairs));
 }
 
 void ContactBodies::findParts(const Comm& comm, const Meshes& meshes) {
@@ -124,7 +124,7 @@ void ContactBodies::findSoftMotions(const Comm& comm, const Meshes& meshes, cons
   if (!any || laws.restrictSliding() || !rigid_->data().bound.empty()) return;
   Vector springs;
   const Basis basis = withSoftMotions(comm, subdomains, springs);
-  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws, basis);
+  RigidBodyModel::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws, basis);
   pairs.work = work(comm, subdomains, basis);
   // Stiff supports hold their motions: the deformation of the body is not small compared with them.
   std::vector<int> kept;
@@ -139,7 +139,7 @@ void ContactBodies::findSoftMotions(const Comm& comm, const Meshes& meshes, cons
 }
 
 /// Reduces the motions to those common to bodies bound together by pairs.
-void ContactBodies::bind(RigidContact::Pairs& pairs) {
+void ContactBodies::bind(RigidBodyModel::Pairs& pairs) {
   if (pairs.bound.empty()) return;
   std::vector<int> bound;
   for (std::size_t i = 0; i < pairs.bound.size(); ++i)
@@ -162,8 +162,8 @@ void ContactBodies::bind(RigidContact::Pairs& pairs) {
   }
 }
 
-RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
-                                               const ContactLaws& laws, const Basis& basis) const {
+RigidBodyModel::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
+                                                 const ContactLaws& laws, const Basis& basis) const {
   const int amplitudes = rigidMotions(dimension_);
   std::map<TermKey, Term> terms;
   std::map<int, PairData> own;
@@ -180,8 +180,8 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
     for (const ContactRow& row : mesh.contactRows) {
       if (const auto stiffness = pairStiffness.find(row.pair.id); stiffness != pairStiffness.end()) {
         const bool separates = laws.of(row.pair.line).separates();
-        own.emplace(row.pair.id, PairData{row.pair.id, row.pair.line, row.normal().gap, stiffness->second, row.able() && separates,
-                                          row.able() && !separates});
+        own.emplace(row.pair.id, PairData{row.pair.id, row.pair.line, row.normal().gap, stiffness->second, row.canChange() && separates,
+                                          row.canChange() && !separates});
       }
       for (std::size_t component = 0; component < row.equations.size(); ++component) {
         const ContactRow::Equation& equation = row.equations[component];
@@ -213,7 +213,7 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
     for (const PairData& pair : unpacker.get<std::vector<PairData>>()) own.emplace(pair.pair, pair);
   }
   const int count = own.empty() ? 0 : own.rbegin()->first + 1;
-  RigidContact::Pairs pairs;
+  RigidBodyModel::Pairs pairs;
   pairs.rows = Matrix::Zero(count, basis.count);
   pairs.penetration = Vector::Zero(count);
   pairs.stiffness = Vector::Ones(count);

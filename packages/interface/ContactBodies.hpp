@@ -3,7 +3,7 @@
 #include <suture/base/Types.hpp>
 #include <suture/constraints/ContactLaw.hpp>
 #include <suture/constraints/RigidMotion.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
 #include <memory>
@@ -25,8 +25,8 @@ class ContactBodies {
   /// Collective.
   ContactBodies(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, const ContactLaws& laws = {});
 
-  const RigidContact& rigid() const { return *rigid_; }
-  RigidContact& rigid() { return *rigid_; }
+  const RigidBodyModel& rigid() const { return *rigid_; }
+  RigidBodyModel& rigid() { return *rigid_; }
   int dimension() const { return dimension_; }
   const std::vector<RigidPart>& parts() const { return parts_; }
   /// Part of a subdomain of this rank, identified by its place.
@@ -60,9 +60,9 @@ class ContactBodies {
     void add(Matrix ofPart);
   };
   void findParts(const Comm& comm, const Meshes& meshes);
-  RigidContact::Pairs gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
-                                  const ContactLaws& laws, const Basis& basis) const;
-  void bind(RigidContact::Pairs& pairs);
+  RigidBodyModel::Pairs gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
+                                    const ContactLaws& laws, const Basis& basis) const;
+  void bind(RigidBodyModel::Pairs& pairs);
   void findSoftMotions(const Comm& comm, const Meshes& meshes, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                        const std::map<int, double>& pairStiffness, const ContactLaws& laws);
   Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const Basis& basis) const;
@@ -76,7 +76,7 @@ class ContactBodies {
   bool areBound_ = false;
   Matrix together_;  // if areBound_: motions (columns) of the parts that leave bound pairs unchanged
   std::vector<int> partOf_;
-  std::unique_ptr<RigidContact> rigid_;
+  std::unique_ptr<RigidBodyModel> rigid_;
   std::vector<double> loads_;  // per part: sum of the magnitudes of the forces on its free unknowns
   std::vector<char> idle_;
   std::vector<std::pair<int, int>> neighbours_;

@@ -71,7 +71,7 @@ int ContactClusters::rowOf(int pair, int component) const {
   return pair < static_cast<int>(tangentsOf_.size()) ? tangentsOf_[pair][component - 1] : -1;
 }
 
-ContactClusters::Row ContactClusters::withDrag(int row, const std::vector<ContactState>& status) const {
+ContactClusters::Row ContactClusters::withFriction(int row, const std::vector<ContactState>& status) const {
   Row result = rows_[row];
   const ContactState& state = status[result.pair];
   if (result.component != 0 || !state.couplesToNormal()) return result;
@@ -153,7 +153,7 @@ std::vector<int> ContactClusters::closedRows(const std::vector<int>& cluster, co
 std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<ContactState>& status,
                                                           std::vector<InterfaceRelation>* test) const {
   std::vector<InterfaceRelation> all;
-  const bool drags = test && std::any_of(status.begin(), status.end(), [](const ContactState& state) { return state.couplesToNormal(); });
+  const bool couples = test && std::any_of(status.begin(), status.end(), [](const ContactState& state) { return state.couplesToNormal(); });
   if (test) test->clear();
   for (const auto& cluster : clusters_) {
     Elimination trial, tested;
@@ -177,9 +177,9 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
         return own != rank.end() && std::abs(own->second) > 0.5 * std::abs(pivot->second) ? own : pivot;
       };
       auto pivot = chosen(row);
-      if (drags) {  // both rows are solved for the same unknown: the pivot of the row without friction, unless it nearly vanishes in the
-                    // row with friction
-        dragged = tested.reduced(withDrag(number, status));
+      if (couples) {  // both rows are solved for the same unknown: the pivot of the row without friction, unless it nearly vanishes in the
+                      // row with friction
+        dragged = tested.reduced(withFriction(number, status));
         const auto entry = pivot == row.end() ? dragged.end() : entryOf(dragged, pivot->first);
         const auto largest = std::max_element(dragged.begin(), dragged.end(), smaller);
         if (pivot != row.end() && (entry == dragged.end() || std::abs(entry->second) < kDragged * std::abs(largest->second))) {
@@ -193,12 +193,12 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
       }
       if (pivot == row.end() || std::abs(pivot->second) < kDependent) continue;
       const int place = pivot->first;
-      if (drags && (entryOf(dragged, place) == dragged.end() || std::abs(entryOf(dragged, place)->second) < kDependent)) continue;
+      if (couples && (entryOf(dragged, place) == dragged.end() || std::abs(entryOf(dragged, place)->second) < kDependent)) continue;
       trial.solve(row, place, entryOf(row, place)->second, rows_[number].size, uses[place] > 1);
-      if (drags) tested.solve(dragged, place, entryOf(dragged, place)->second, rows_[number].size, true);
+      if (couples) tested.solve(dragged, place, entryOf(dragged, place)->second, rows_[number].size, true);
     }
     trial.appendTo(all);
-    if (drags) tested.appendTo(*test);
+    if (couples) tested.appendTo(*test);
   }
   return all;
 }
@@ -242,21 +242,21 @@ Vector ContactClusters::forces(const std::vector<ContactState>& status, const Ve
   for (const auto& cluster : clusters_) {
     const std::vector<int> closed = closedRows(cluster, status);
     if (closed.empty()) continue;
-    const bool drags = std::any_of(closed.begin(), closed.end(), [&](int row) { return status[rows_[row].pair].couplesToNormal(); });
+    const bool couples = std::any_of(closed.begin(), closed.end(), [&](int row) { return status[rows_[row].pair].couplesToNormal(); });
     std::vector<Row> dragged;
     std::vector<const Row*> rows;
-    if (drags) {
+    if (couples) {
       dragged.reserve(closed.size());
-      for (const int row : closed) dragged.push_back(withDrag(row, status));
+      for (const int row : closed) dragged.push_back(withFriction(row, status));
     }
-    for (std::size_t a = 0; a < closed.size(); ++a) rows.push_back(drags ? &dragged[a] : &rows_[closed[a]]);
+    for (std::size_t a = 0; a < closed.size(); ++a) rows.push_back(couples ? &dragged[a] : &rows_[closed[a]]);
     Vector rhs = Vector::Zero(static_cast<int>(closed.size()));
     for (std::size_t a = 0; a < closed.size(); ++a)
       for (std::size_t k = 0; k < rows[a]->places.size(); ++k) {
         const int place = rows[a]->places[k];
         rhs(static_cast<int>(a)) -= rows[a]->coefficients[k] * imbalance(place) / stiffness_(place);
       }
-    if (closed.size() == 1 && !drags) {
+    if (closed.size() == 1 && !couples) {
       force(closed[0]) = rhs(0) * rowStiffness_(closed[0]);
       continue;
     }

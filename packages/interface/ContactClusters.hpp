@@ -56,7 +56,7 @@ class ContactClusters {
   using Sparse = std::vector<std::pair<int, double>>;  // place, coefficient; ascending places
   class Elimination;
   /// The row in the direction of its pair's force: for a slipping pair, the normal row with the tangential components of friction.
-  Row withDrag(int row, const std::vector<ContactState>& status) const;
+  Row withFriction(int row, const std::vector<ContactState>& status) const;
   std::vector<int> closedRows(const std::vector<int>& cluster, const std::vector<ContactState>& status) const;
   /// Solves a system with C K^-1 C^T for some rows of a cluster.
   Vector solve(const std::vector<const Row*>& rows, const Vector& rhs) const;

@@ -28,7 +28,7 @@ void ContactInterfaceProblem::findSites() {
 ContactStates ContactInterfaceProblem::statusOf(const PairStates& pairs) const {
   ContactStates status(1);
   for (const ContactRow& row : rows_)
-    status[0].push_back(!row.able() || bodies_->rigid().isBound(row.pair.id) ? pressed(row) : pairs[row.pair.id]);
+    status[0].push_back(!row.canChange() || bodies_->rigid().isBound(row.pair.id) ? pressed(row) : pairs[row.pair.id]);
   return status;
 }
 
@@ -95,7 +95,7 @@ std::shared_ptr<const FrictionTangent> ContactInterfaceProblem::tangentOf(const 
 }
 
 void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const {
-  const RigidContact::Pairs& data = bodies_->rigid().data();
+  const RigidBodyModel::Pairs& data = bodies_->rigid().data();
   if (data.tangents.empty() || bodies_->rigid().motions() == 0) return;
   PairStates states = statesOf(status);
   Matrix springs(static_cast<Eigen::Index>(states.size()), bodies_->rigid().motions());
@@ -142,7 +142,7 @@ PairValues ContactInterfaceProblem::valuesOf(const InterfaceState& state) const 
                gaps = clusters_->gaps(trace.col(0), moved);
   Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), kPairColumns);
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-    if (!rows_[i].able()) continue;
+    if (!rows_[i].canChange()) continue;
     PairForces pair = pairForces(i, force, gaps);
     pair.digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
     for (const int place : clusters_->row(i).places) pair.digits = std::max(pair.digits, std::abs(trace(place, 0)));

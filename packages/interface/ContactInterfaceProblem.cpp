@@ -138,7 +138,7 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
   int able = 0;
   for (const auto& [id, row] : byPair) {
     owned_.push_back(mine.count(id) > 0);
-    able += owned_.back() && row->able() && laws_.of(row->pair.line).separates();
+    able += owned_.back() && row->canChange() && laws_.of(row->pair.line).separates();
     rows_.push_back(*row);
   }
   // Normal rows come first: their numbers are those of their pairs.
@@ -211,7 +211,7 @@ InterfaceState ContactInterfaceProblem::stateOf(const std::vector<Vector>& freeV
       if (at >= 0) owned(at, 0) = freeValues[s](dof);
     }
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (const auto found = status.find(rows_[i].pair.id); found != status.end() && rows_[i].able()) state.status[0][i] = found->second;
+    if (const auto found = status.find(rows_[i].pair.id); found != status.end() && rows_[i].canChange()) state.status[0][i] = found->second;
   conform(state);
   return state;
 }
@@ -355,7 +355,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluateSet(const Interfac
     Matrix values(pairs, 3);
     values << force.head(pairs), -gap.head(pairs), Vector::Zero(pairs);
     for (int i = 0; i < pairs; ++i) {
-      if (!rows_[i].able()) continue;
+      if (!rows_[i].canChange()) continue;
       double digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
       for (const int place : clusters_->row(i).places) digits = std::max(digits, std::abs(trace(place, 0)));
       values(i, 2) = kGapDigits * digits;

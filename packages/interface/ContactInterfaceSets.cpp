@@ -12,7 +12,7 @@ namespace suture {
 void ContactInterfaceProblem::findBodies() {
   std::map<int, double> stiffness;
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (owned_[i]) stiffness[rows_[i].pair.id] = !rows_[i].able() ? 1.0 : clusters_->stiffness()(static_cast<Eigen::Index>(i));
+    if (owned_[i]) stiffness[rows_[i].pair.id] = !rows_[i].canChange() ? 1.0 : clusters_->stiffness()(static_cast<Eigen::Index>(i));
   bodies_ = std::make_unique<ContactBodies>(*comm_, subdomains_, stiffness, laws_);
   partOfOwned_.assign(space_->map()->getNodeNumElements(), 0);
   for (std::size_t s = 0; s < locals_.size(); ++s)
@@ -63,7 +63,7 @@ void ContactInterfaceProblem::move(InterfaceState& state, const Vector& motion) 
 
 Vector ContactInterfaceProblem::movedRows(const InterfaceState& state) const {
   if (state.rigid.size() == 0) return {};
-  const RigidContact::Pairs& data = bodies_->rigid().data();
+  const RigidBodyModel::Pairs& data = bodies_->rigid().data();
   const Vector all = data.rows * state.rigid;
   Vector mine = Vector::Zero(clusters_->size());
   for (std::size_t i = 0; i < rows_.size(); ++i) mine(static_cast<Eigen::Index>(i)) = all(rows_[i].pair.id);

@@ -3,7 +3,7 @@
 
 namespace suture {
 
-ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const ClosedSet& closed, PairResolution resolution,
+ClosedSet plainFlips(const RigidBodyModel& rigid, const ContactLaws& laws, const ClosedSet& closed, PairResolution resolution,
                      const Vector& digits, InterfaceEvaluation& found) {
   found.forceTolerance = (std::max(resolution.ofCluster, kGapDigits) * rigid.clusterScale(closed, found.force))
                              .cwiseMax(resolution.ofBody * rigid.bodyScale(closed, found.force))

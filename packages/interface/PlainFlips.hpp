@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/ContactLaw.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 namespace suture {
 
@@ -13,7 +13,7 @@ constexpr double kGapDigits = 1e-14;
 /// same on all ranks.
 /// \param laws        of the contact lines
 /// \param digits      round-off of each pair's penetration [length]
-ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const ClosedSet& closed, PairResolution resolution,
+ClosedSet plainFlips(const RigidBodyModel& rigid, const ContactLaws& laws, const ClosedSet& closed, PairResolution resolution,
                      const Vector& digits, InterfaceEvaluation& found);
 
 }  // namespace suture

@@ -19,7 +19,7 @@ class TraceMotions {
                const std::vector<int>& partOfOwned);
 
   /// Subtracts from the trace each part's best rigid motion (least squares over its unknowns). Returns the amplitudes of all parts' motions
-  /// [length], as for RigidContact; empty: no part is free. Collective.
+  /// [length], as for RigidBodyModel; empty: no part is free. Collective.
   Vector takeOut(MultiVector& trace) const;
 
  private:

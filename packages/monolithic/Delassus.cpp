@@ -79,8 +79,8 @@ Delassus::Delassus(const CondensedContact& problem)
     for (std::size_t k = 0; k < problem_.dofs[i].size(); ++k) g_.row(i) += problem_.coefficients[i][k] * kernel_.row(problem_.dofs[i][k]);
 }
 
-RigidContact Delassus::rigidContact() const {
-  RigidContact::Pairs pairs;
+RigidBodyModel Delassus::rigidBodyModel() const {
+  RigidBodyModel::Pairs pairs;
   pairs.rows = g_;
   pairs.work = work_;
   pairs.penetration = gapless_;
@@ -92,7 +92,7 @@ RigidContact Delassus::rigidContact() const {
     if (pairs.canChange[i]) pairs.stiffness[i] = pointCompliance / h_(i, i);
     pairs.line.push_back(problem_.lines.empty() ? 0 : problem_.lines[i]);
   }
-  return RigidContact(std::move(pairs));
+  return RigidBodyModel(std::move(pairs));
 }
 
 /// Round-off of displacements without contact forces, from the bounds and from the displacements under the loads.

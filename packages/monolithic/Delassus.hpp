@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/monolithic/MonolithicContact.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 namespace suture {
 
@@ -12,7 +12,7 @@ class Delassus {
   /// `problem` must outlive it.
   explicit Delassus(const CondensedContact& problem);
 
-  RigidContact rigidContact() const;
+  RigidBodyModel rigidBodyModel() const;
   /// x for given row forces, with kernel amplitudes `place`.
   Vector displacement(const Vector& force, const Vector& place) const;
   /// x.S x / 2 - f.x if the row forces do no work.

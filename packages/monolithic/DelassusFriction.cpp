@@ -36,7 +36,7 @@ DelassusFriction::DelassusFriction(const CondensedContact& problem, const Delass
   }
 
   std::vector<std::shared_ptr<const ContactLaw>> laws;
-  RigidContact::Pairs data;
+  RigidBodyModel::Pairs data;
   // Pairs that never open hold bodies whatever their forces: the motions of the rigid-body model leave them unchanged.
   std::vector<int> bound;
   for (const CondensedContact::Pair& pair : problem.pairs)
@@ -76,7 +76,7 @@ DelassusFriction::DelassusFriction(const CondensedContact& problem, const Delass
     if (same == laws.end()) laws.emplace_back(std::shared_ptr<const ContactLaw>(), pair.law);  // owned by the caller
   }
   laws_ = ContactLaws(std::move(laws));
-  rigid_ = std::make_unique<RigidContact>(std::move(data));
+  rigid_ = std::make_unique<RigidBodyModel>(std::move(data));
 }
 
 DelassusFriction::System DelassusFriction::systemOf(const PairStates& states) const {

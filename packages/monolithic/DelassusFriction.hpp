@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/monolithic/Delassus.hpp>
 #include <suture/search/LinearContactSolver.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 #include <functional>
 #include <memory>
@@ -22,8 +22,8 @@ class DelassusFriction : public LinearContactSolver {
   void move(const Vector& motion) override { amplitude_ += free_ * motion; }
   Vector motion() const override { return free_.transpose() * amplitude_; }
 
-  /// Pairs as a rigid-body model, their laws by RigidContact::Pairs::line, and their sites.
-  const RigidContact& rigid() const { return *rigid_; }
+  /// Pairs as a rigid-body model, their laws by RigidBodyModel::Pairs::line, and their sites.
+  const RigidBodyModel& rigid() const { return *rigid_; }
   const ContactLaws& laws() const { return laws_; }
   const std::vector<FrictionSite>& sites() const { return sites_; }
 
@@ -50,7 +50,7 @@ class DelassusFriction : public LinearContactSolver {
   std::vector<FrictionSite> sites_;
   Vector local_;  // compliance of each row's own elements, which is independent of soft springs under a body [length / force]
   Matrix free_;   // motions that pairs that never open leave free
-  std::unique_ptr<RigidContact> rigid_;
+  std::unique_ptr<RigidBodyModel> rigid_;
   Vector force_, amplitude_;
   PairStates last_;
 };

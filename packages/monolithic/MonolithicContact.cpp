@@ -13,7 +13,7 @@ namespace {
 /// Reports each solve.
 class MonitoredProblem : public DelassusProblem {
  public:
-  MonitoredProblem(const RigidContact& rigid, const Delassus& delassus, const CondensedContact& problem,
+  MonitoredProblem(const RigidBodyModel& rigid, const Delassus& delassus, const CondensedContact& problem,
                    const std::function<void(const ActiveSetStep&)>& tell)
       : DelassusProblem(rigid, delassus.compliance(), delassus.open(), delassus.rounding()),
         rigid_(rigid),
@@ -43,7 +43,7 @@ class MonitoredProblem : public DelassusProblem {
   }
 
  private:
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const Delassus& delassus_;
   const CondensedContact& problem_;
   const std::function<void(const ActiveSetStep&)>& tell_;
@@ -54,7 +54,7 @@ class MonitoredProblem : public DelassusProblem {
 ContactSolution solveCondensedContact(const CondensedContact& problem, std::vector<char> active, int iterations,
                                       const std::function<void(const ActiveSetStep&)>& step) {
   const Delassus delassus(problem);
-  RigidContact rigid = delassus.rigidContact();
+  RigidBodyModel rigid = delassus.rigidBodyModel();
   MonitoredProblem oracle(rigid, delassus, problem, step);
   ClosedSet start = active;
   for (std::size_t i = 0; i < start.size(); ++i) start[i] = start[i] && rigid.data().canChange[i];

@@ -31,7 +31,7 @@ std::vector<int> heldPairs(const Comm& comm, const std::vector<SubdomainMesh>& m
   std::vector<int> mine;
   for (const SubdomainMesh& mesh : meshes)
     for (const ContactRow& row : mesh.contactRows)
-      if (!row.able()) mine.push_back(row.pair.id);
+      if (!row.canChange()) mine.push_back(row.pair.id);
   return unionOverRanks(comm, mine);
 }
 

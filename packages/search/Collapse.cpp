@@ -158,7 +158,7 @@ PairStates Collapse::sliding(const ClosedSet& closed, const Vector& normal, cons
 }
 
 Collapse::Result Collapse::find(const PairStates& states, Vector normal, int most) const {
-  const RigidContact::Pairs& data = rigid_.data();
+  const RigidBodyModel::Pairs& data = rigid_.data();
   Result result;
   if (data.tangents.empty() || rigid_.motions() == 0 || normal.size() != rigid_.pairs()) return result;
   ClosedSet closed(states.size(), 0);

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/ContactLaw.hpp>
 #include <suture/search/LinearContactSolver.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 #include <functional>
 
@@ -16,7 +16,7 @@ namespace suture {
 class Collapse {
  public:
   /// All arguments must outlive it.
-  Collapse(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, LinearContactSolver& solver)
+  Collapse(const RigidBodyModel& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, LinearContactSolver& solver)
       : rigid_(rigid), laws_(laws), sites_(sites), solver_(solver) {}
 
   struct Result {
@@ -41,7 +41,7 @@ class Collapse {
   PairStates sliding(const ClosedSet& closed, const Vector& normal, const Vector& motion, double multiple, const PairStates& now) const;
   Vector slipOf(std::size_t pair, const Vector& motion) const;
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
   LinearContactSolver& solver_;

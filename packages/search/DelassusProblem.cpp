@@ -30,7 +30,7 @@ Matrix factorOf(Matrix matrix) {
 
 }  // namespace
 
-DelassusProblem::DelassusProblem(const RigidContact& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding)
+DelassusProblem::DelassusProblem(const RigidBodyModel& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding)
     : rigid_(rigid), compliance_(compliance), open_(open), rounding_(rounding.size() > 0 ? rounding : Vector::Zero(open.size())) {
   state_.force = Vector::Zero(open.size());
   state_.amplitude = Vector::Zero(rigid.motions());

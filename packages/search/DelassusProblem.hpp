@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/search/LinearContactSolver.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 namespace suture {
 
@@ -18,7 +18,7 @@ class DelassusProblem : public LinearContactSolver {
   /// `rigid` and `compliance` must outlive it.
   /// \param open     d [length]
   /// \param rounding error of d at each pair; empty: only its own round-off [length]
-  DelassusProblem(const RigidContact& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding);
+  DelassusProblem(const RigidBodyModel& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding);
 
   ContactAnswer solve(const PairStates& states, double tolerance) override;
   void move(const Vector& motion) override { state_.amplitude += motion; }
@@ -29,7 +29,7 @@ class DelassusProblem : public LinearContactSolver {
   /// Solves  W f - G a = d,  G^T f = e  on closed pairs for f and a, with a in the motions that these pairs stop.
   void solveSaddle(const std::vector<int>& closed);
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const Matrix& compliance_;
   Vector open_, rounding_;
   State state_;

@@ -17,7 +17,7 @@ constexpr double kNoWorkDriven = 1e-11;  // excess of the loads that counts as z
 
 /// Unit motion along the excess of the loads over the forces of `next`; empty: there is no excess.
 Vector DrivenBodies::motion(const ContactBalance& balance, const PairStates& next, const Matrix& free) const {
-  const RigidContact::Pairs& data = rigid_.data();
+  const RigidBodyModel::Pairs& data = rigid_.data();
   Vector beyond = Vector::Zero(rigid_.motions()), parts = beyond;
   const auto add = [&](const Vector& forces) {
     beyond += forces;
@@ -43,7 +43,7 @@ Vector DrivenBodies::motion(const ContactBalance& balance, const PairStates& nex
 
 bool DrivenBodies::advance(const PairStates& now, const ContactBalance& balance, const PairStates& next, double largest,
                            const std::vector<int>& inVain, PairStates& found) {
-  const RigidContact::Pairs& data = rigid_.data();
+  const RigidBodyModel::Pairs& data = rigid_.data();
   const Matrix free = rigid_.loose(next);
   if (free.cols() == 0) return false;
   const Vector motion = this->motion(balance, next, free);

@@ -11,7 +11,7 @@ namespace suture {
 class DrivenBodies {
  public:
   /// All arguments must outlive it.
-  DrivenBodies(const RigidContact& rigid, const LawProjection& projection, const StabilisingPairs& stabilising)
+  DrivenBodies(const RigidBodyModel& rigid, const LawProjection& projection, const StabilisingPairs& stabilising)
       : rigid_(rigid), projection_(projection), stabilising_(stabilising) {}
 
   /// \param now, balance  states and forces of the current solution;  \param next  states that the laws give there
@@ -24,7 +24,7 @@ class DrivenBodies {
  private:
   Vector motion(const ContactBalance& balance, const PairStates& next, const Matrix& free) const;
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const LawProjection& projection_;
   const StabilisingPairs& stabilising_;
   std::vector<PairStates> met_;

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/search/LinearContactSolver.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 #include <functional>
 
@@ -19,7 +19,7 @@ class DualAscent {
   using Solve = std::function<const ContactAnswer*(const ClosedSet&)>;
 
   /// \param rigid  must outlive it
-  DualAscent(const RigidContact& rigid, Solve solve) : rigid_(rigid), solve_(std::move(solve)) {}
+  DualAscent(const RigidBodyModel& rigid, Solve solve) : rigid_(rigid), solve_(std::move(solve)) {}
   /// \param force  >= 0, in equilibrium with the loads
   /// \return true: the last solve is the solution, at least up to round-off of its energy; false: a solve returned null
   bool run(const Vector& force);
@@ -37,7 +37,7 @@ class DualAscent {
   ClosedSet penetrating(const State& at) const;
   int worst(const State& at) const;
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   Solve solve_;
 };
 

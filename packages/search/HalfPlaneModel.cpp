@@ -18,7 +18,7 @@ constexpr double kLeast = 1e-11;  // relative to the largest force
 constexpr int kMostPairs = 400;
 
 /// Solves for the pairs first..last-1 of one line, without the others of the scene.
-ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vector& force, const Vector& penetration) {
+ClosedSet solveWindow(const RigidBodyModel& rigid, int first, int last, const Vector& force, const Vector& penetration) {
   const int n = last - first;
   const Vector local = kShare * rigid.data().stiffness.segment(first, n).cwiseInverse();
   const double far = std::log(4.0 * n);
@@ -26,9 +26,9 @@ ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vect
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) compliance(i, j) = std::sqrt(local(i) * local(j)) * (far + (i == j ? kSelf : -std::log(std::abs(i - j))));
   const Vector open = penetration.segment(first, n) + compliance * force.segment(first, n);
-  RigidContact::Pairs pairs{Matrix(n, 0), Vector(0), open, rigid.data().stiffness.segment(first, n), std::vector<int>(n, 0), {}, {}};
+  RigidBodyModel::Pairs pairs{Matrix(n, 0), Vector(0), open, rigid.data().stiffness.segment(first, n), std::vector<int>(n, 0), {}, {}};
   pairs.canChange.assign(rigid.data().canChange.begin() + first, rigid.data().canChange.begin() + last);
-  RigidContact pads(std::move(pairs));
+  RigidBodyModel pads(std::move(pairs));
   DelassusProblem problem(pads, compliance, open, {});
   PairStates start(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i)

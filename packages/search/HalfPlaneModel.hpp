@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 namespace suture {
 
@@ -8,7 +8,7 @@ namespace suture {
 /// both sides of each end responds if some of them change; forces farther away are kept. Local.
 class HalfPlaneModel {
  public:
-  explicit HalfPlaneModel(const RigidContact& rigid) : rigid_(rigid) {}
+  explicit HalfPlaneModel(const RigidBodyModel& rigid) : rigid_(rigid) {}
   /// Predicted closed set, starting from a state of the bodies. Where the signs of some hundred adjacent pairs change, the set given by the
   /// signs is used.
   /// \param closed, flipped      the set of the state, and the set given by the signs of its forces and penetrations
@@ -16,7 +16,7 @@ class HalfPlaneModel {
   ClosedSet closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force, const Vector& penetration) const;
 
  private:
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
 };
 
 }  // namespace suture

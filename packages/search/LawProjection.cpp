@@ -28,7 +28,7 @@ ContactState frozen(ContactState state, double normal, double first, double seco
 
 }  // namespace
 
-LawProjection::LawProjection(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, Vector normal)
+LawProjection::LawProjection(const RigidBodyModel& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, Vector normal)
     : rigid_(rigid), laws_(laws), sites_(sites), normal_(std::move(normal)) {
   for (std::size_t i = 0; i < rigid.data().line.size(); ++i) frictionless_ = frictionless_ && !(rigid.data().canChange[i] && rubs(i));
 }

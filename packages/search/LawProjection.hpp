@@ -2,7 +2,7 @@
 #include <suture/constraints/ContactLaw.hpp>
 #include <suture/search/FrictionCone.hpp>
 #include <suture/search/LinearContactSolver.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 #include <vector>
 
@@ -16,7 +16,7 @@ class LawProjection {
  public:
   /// The first three must outlive it. \param normal  normal forces for the bounds of a Tresca problem [force]; empty: bounds follow the
   /// current normal forces
-  LawProjection(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, Vector normal = {});
+  LawProjection(const RigidBodyModel& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, Vector normal = {});
 
   /// Sets the fraction of the tangential stiffness in R.
   void setTangential(double part) { tangential_ = part; }
@@ -48,7 +48,7 @@ class LawProjection {
   ContactTrial trialOf(std::size_t pair) const;
   Point stiff(std::size_t pair, const Matrix& jump) const;
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
   double tangential_ = 0.05;

@@ -36,7 +36,7 @@ class LinearContactSolver {
   virtual bool couplesToNormal() const { return true; }
   /// \param tolerance  between tightest() and loosest()
   virtual ContactAnswer solve(const PairStates& states, double tolerance) = 0;
-  /// Moves the state of the last solve rigidly, without changing forces. \param motion  amplitudes of RigidContact
+  /// Moves the state of the last solve rigidly, without changing forces. \param motion  amplitudes of RigidBodyModel
   virtual void move(const Vector& motion) = 0;
   /// Amplitudes of the rigid motions in the state of the last solve, as far as the solver keeps them apart from deformations; empty:
   /// unknown.

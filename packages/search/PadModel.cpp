@@ -32,7 +32,7 @@ constexpr int kBrackets = 60;         // maximum number of steps of a line searc
 
 }  // namespace
 
-PadModel::PadModel(const RigidContact::Pairs& data, std::vector<FrictionCone> cones)
+PadModel::PadModel(const RigidBodyModel::Pairs& data, std::vector<FrictionCone> cones)
     : data_(data), cones_(std::move(cones)), rows_(data.line.size()), motions_(static_cast<int>(data.work.size())) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (!data.canChange[i]) continue;
@@ -207,7 +207,7 @@ PadModel::Equilibrium PadModel::associated(const Matrix& t, const Vector& compli
 }
 
 PadModel::Equilibrium PadModel::unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance) {
-  RigidContact::Pairs pairs;
+  RigidBodyModel::Pairs pairs;
   pairs.rows = rows;
   pairs.work = work;
   pairs.line.assign(static_cast<std::size_t>(t.size()), 0);

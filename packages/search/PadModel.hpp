@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/search/FrictionCone.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 #include <vector>
 
@@ -19,7 +19,7 @@ class PadModel {
  public:
   /// \param data   rows, tangents, loads; must outlive the model. Pairs that cannot change carry no force.
   /// \param cones  one per pair
-  PadModel(const RigidContact::Pairs& data, std::vector<FrictionCone> cones);
+  PadModel(const RigidBodyModel::Pairs& data, std::vector<FrictionCone> cones);
 
   struct Equilibrium {
     Matrix force;   ///< pairs x 3 [force]
@@ -61,7 +61,7 @@ class PadModel {
                const Vector& right) const;
   bool newton(Point& at, const Vector& stiffness, const Vector& spring, int steps, double tolerance) const;
 
-  const RigidContact::Pairs& data_;
+  const RigidBodyModel::Pairs& data_;
   std::vector<FrictionCone> cones_;
   std::vector<Row> rows_;
   int motions_;

@@ -5,7 +5,7 @@ namespace suture {
 
 namespace {
 
-std::vector<FrictionCone> cones(const RigidContact& rigid, const LawProjection& projection) {
+std::vector<FrictionCone> cones(const RigidBodyModel& rigid, const LawProjection& projection) {
   std::vector<FrictionCone> all;
   for (int i = 0; i < rigid.pairs(); ++i) all.push_back(projection.cone(static_cast<std::size_t>(i)));
   return all;
@@ -13,7 +13,7 @@ std::vector<FrictionCone> cones(const RigidContact& rigid, const LawProjection& 
 
 }  // namespace
 
-PadStates::PadStates(const RigidContact& rigid, const ContactLaws& laws, const LawProjection& projection)
+PadStates::PadStates(const RigidBodyModel& rigid, const ContactLaws& laws, const LawProjection& projection)
     : rigid_(rigid), laws_(laws), projection_(projection), pads_(rigid.data(), cones(rigid, projection)) {}
 
 PairStates PadStates::start(Vector& normal) const {
@@ -44,7 +44,7 @@ PadModel::Equilibrium PadStates::equilibrium(const ContactBalance& at, double so
     return pads_.coulomb(compliance.asDiagonal() * at.force + at.jump, compliance, at.jump.rightCols(2).rowwise().norm());
   const Vector t = rigid_.compliance().cwiseProduct(at.force.col(0)) + at.jump.col(0);
   Vector reached = t;
-  RigidContact::Equilibrium found;
+  RigidBodyModel::Equilibrium found;
   if (const SoftBodies* soft = rigid_.soft()) {
     found = soft->project(t, rigid_.compliance(), reached);
   } else {

@@ -10,7 +10,7 @@ namespace suture {
 class PadStates {
  public:
   /// All arguments must outlive it.
-  PadStates(const RigidContact& rigid, const ContactLaws& laws, const LawProjection& projection);
+  PadStates(const RigidBodyModel& rigid, const ContactLaws& laws, const LawProjection& projection);
 
   const PadModel& model() const { return pads_; }
   /// States at the drawn position. \param normal  receives the normal forces [force]
@@ -25,7 +25,7 @@ class PadStates {
  private:
   PairStates states(const PadModel::Equilibrium& pads, PairStates now) const;
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const ContactLaws& laws_;
   const LawProjection& projection_;
   PadModel pads_;

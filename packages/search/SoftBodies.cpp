@@ -1,14 +1,14 @@
 #include <suture/algebra/SparseNullSpace.hpp>
 #include <suture/search/PadModel.hpp>
-#include <suture/search/PadProblem.hpp>
 #include <suture/search/SoftBodies.hpp>
+#include <suture/search/UnilateralFoundation.hpp>
 
 #include <vector>
 
 namespace suture {
 
-RigidContact::Equilibrium SoftBodies::project(const Vector& t, const Vector& compliance, Vector& reached) const {
-  const RigidContact::Pairs& data = rigid_.data();
+RigidBodyModel::Equilibrium SoftBodies::project(const Vector& t, const Vector& compliance, Vector& reached) const {
+  const RigidBodyModel::Pairs& data = rigid_.data();
   const Eigen::Index pairs = t.size(), motions = data.work.size();
   std::vector<Eigen::Index> sprung;
   for (Eigen::Index k = 0; k < motions; ++k)
@@ -27,10 +27,10 @@ RigidContact::Equilibrium SoftBodies::project(const Vector& t, const Vector& com
       rows(row, sprung[s]) = sense == 0 ? 1.0 : -1.0;
       stiffness(row) = springs_(sprung[s]);
     }
-  RigidContact::Equilibrium result;
+  RigidBodyModel::Equilibrium result;
   result.motion = Vector::Zero(motions);
   if (motions <= kMostDense) {
-    result.found = PadProblem(rows, stiffness, data.work, data.work.norm()).solve(result.motion, y);
+    result.found = UnilateralFoundation(rows, stiffness, data.work, data.work.norm()).solve(result.motion, y);
   } else {
     const Vector soft = stiffness.unaryExpr([](double k) { return k > 0.0 ? 1.0 / k : 1e300; });
     const PadModel::Equilibrium pads = PadModel::unilateral(rows, data.work, y, soft);

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 namespace suture {
 
@@ -12,16 +12,16 @@ class SoftBodies {
   static constexpr double kSoft = 1e-2;
 
   /// \param pairs    with all motions;  \param springs  stiffness of the supports in each motion, zero in free ones [force / length]
-  SoftBodies(RigidContact::Pairs pairs, Vector springs) : rigid_(std::move(pairs)), springs_(std::move(springs)) {}
+  SoftBodies(RigidBodyModel::Pairs pairs, Vector springs) : rigid_(std::move(pairs)), springs_(std::move(springs)) {}
 
   /// True if a set leaves a motion to free space or to a soft support that all pairs together would stop.
   bool loosens(const PairStates& states) const { return rigid_.loosens(states); }
   /// Equilibrium on the pads from penetrations t. Supports act against further motion only: their present forces are small.
   /// \param compliance  of the pads [length / force];  \param reached  receives the penetrations [length]
-  RigidContact::Equilibrium project(const Vector& t, const Vector& compliance, Vector& reached) const;
+  RigidBodyModel::Equilibrium project(const Vector& t, const Vector& compliance, Vector& reached) const;
 
  private:
-  RigidContact rigid_;
+  RigidBodyModel rigid_;
   Vector springs_;
 };
 

@@ -14,7 +14,7 @@ constexpr double kInVain = 1e-2;       // preference of pairs whose states were 
 
 /// True if neither loads nor slipping pairs do work in free motions: the position of bodies along them is arbitrary.
 bool StabilisingPairs::isNeutral(const PairStates& next, const Matrix& free, double largest) const {
-  const RigidContact::Pairs& data = rigid_.data();
+  const RigidBodyModel::Pairs& data = rigid_.data();
   if (projection_.isFrictionless())
     return ((free.transpose() * data.work).cwiseAbs().array() <=
             kNoWorkOfPairs * (free.cwiseAbs().transpose() * data.work.cwiseAbs()).array())
@@ -30,7 +30,7 @@ bool StabilisingPairs::isNeutral(const PairStates& next, const Matrix& free, dou
 
 /// Adds springs along tangents of open pairs, one per free motion.
 void StabilisingPairs::addSprings(PairStates& next, Matrix free) const {
-  const RigidContact::Pairs& data = rigid_.data();
+  const RigidBodyModel::Pairs& data = rigid_.data();
   while (free.cols() > 0) {
     double most = kHeldBySpring;
     std::size_t best = next.size();
@@ -56,7 +56,7 @@ void StabilisingPairs::addSprings(PairStates& next, Matrix free) const {
 
 /// Lets open or sliding pairs stick until no motion is free.
 void StabilisingPairs::glue(PairStates& next, Matrix free, const std::vector<int>& inVain) const {
-  const RigidContact::Pairs& data = rigid_.data();
+  const RigidBodyModel::Pairs& data = rigid_.data();
   std::vector<char> isInVain(next.size(), 0);
   for (const int i : inVain) isInVain[static_cast<std::size_t>(i)] = 1;
   while (free.cols() > 0) {

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/search/LawProjection.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace suture {
 class StabilisingPairs {
  public:
   /// Both arguments must outlive it.
-  StabilisingPairs(const RigidContact& rigid, const LawProjection& projection) : rigid_(rigid), projection_(projection) {}
+  StabilisingPairs(const RigidBodyModel& rigid, const LawProjection& projection) : rigid_(rigid), projection_(projection) {}
 
   /// \param next  states;  \param largest  largest force of the scene: the work of loads that balance is round-off relative to it
   /// \param inVain  pairs whose states the last solution contradicts: others are preferred
@@ -26,7 +26,7 @@ class StabilisingPairs {
   void addSprings(PairStates& next, Matrix free) const;
   void glue(PairStates& next, Matrix free, const std::vector<int>& inVain) const;
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const LawProjection& projection_;
 };
 

@@ -11,8 +11,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kStateTurned = 1.0;      // turn that counts as zero, relative to the tolerance of forces
-constexpr double kStateSharper = 0.1;     // accuracy of the next solve, relative to the turn in the current one
+constexpr double kStateTurned = 1.0;   // turn that counts as zero, relative to the tolerance of forces
+constexpr double kStateSharper = 0.1;  // accuracy of the next solve, relative to the turn in the current one
 // Accuracy of the next solve, relative to the distance from the laws. A stack of 20 leaves needs 33 solves with .1, 22 with .03, 17 with
 // .01, 10 with .001; the conjugate gradient iterations of 290 random scenes increase by 1, 4 % with .03, .01.
 constexpr double kStateForcing = 0.01;
@@ -41,7 +41,7 @@ constexpr Try kTries[] = {{0.05, 1.0, 6}, {1.0, 0.5, 5}, {0.2, 2.0, 5}};
 
 }  // namespace
 
-StateSearch::StateSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites,
+StateSearch::StateSearch(const RigidBodyModel& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites,
                          LinearContactSolver& solver, int most, const Vector& normal)
     : rigid_(rigid),
       laws_(laws),
@@ -53,7 +53,7 @@ StateSearch::StateSearch(const RigidContact& rigid, const ContactLaws& laws, con
       driven_(rigid, projection_, stabilising_),
       left_(most) {}
 
-StateSearch::StateSearch(const RigidContact& rigid, LinearContactSolver& solver, int most)
+StateSearch::StateSearch(const RigidBodyModel& rigid, LinearContactSolver& solver, int most)
     : rigid_(rigid),
       bare_(static_cast<std::size_t>(rigid.pairs())),
       laws_(none_),
@@ -131,12 +131,12 @@ PairStates StateSearch::held(PairStates next) {
 /// Along these motions the bodies are then moved to where open pairs penetrate least.
 ContactAnswer StateSearch::solveHeld() {
   const Matrix free = isFrictionless() && rigid_.motions() > 0 ? rigid_.loose(states_) : Matrix();
-  const std::vector<int> holders = free.cols() > 0 ? rigid_.holders(closedSet(states_), free) : std::vector<int>();
+  const std::vector<int> stabilisingPairs = free.cols() > 0 ? rigid_.stabilisingPairs(closedSet(states_), free) : std::vector<int>();
   PairStates held = states_;
-  for (const int i : holders) held[static_cast<std::size_t>(i)] = PairStatus::Slip;
+  for (const int i : stabilisingPairs) held[static_cast<std::size_t>(i)] = PairStatus::Slip;
   ContactAnswer answer = solver_.solve(held, tolerance_);
   if (!answer.solved || free.cols() == 0) return answer;
-  for (const int i : holders) answer.force.row(i).setZero();
+  for (const int i : stabilisingPairs) answer.force.row(i).setZero();
   const ClosedSet closed = closedSet(states_);
   const Vector motion = free * rigid_.settle(closed, answer.jump.col(0), free);
   if (motion.isZero(0.0)) return answer;
@@ -314,8 +314,8 @@ Vector StateSearch::unbalanced(const PairStates& states) const {
 /// The first problem is a Tresca problem with bounds from the normal forces of the pads: as good an initial guess as Coulomb's law, and
 /// symmetric. The difference of its normal forces from those of the solution measures the contraction of the Tresca fixed point.
 void StateSearch::solveByGuess() {
-  const bool drags = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.couplesToNormal(); });
-  if (guess_.size() == 0 || !drags || !goesOn()) return;
+  const bool couples = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.couplesToNormal(); });
+  if (guess_.size() == 0 || !couples || !goesOn()) return;
   const PairStates law = states_;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     states_[i].bound = states_[i].largest(guess_(static_cast<Eigen::Index>(i)));

@@ -29,7 +29,7 @@ class StateSearch {
  public:
   struct Result {
     bool converged = false;
-    Vector slides;          ///< rigid motion (RigidContact) of the driven bodies if there is no equilibrium; else empty
+    Vector slides;          ///< rigid motion (RigidBodyModel) of the driven bodies if there is no equilibrium; else empty
     double multiple = 0.0;  ///< factor on friction that would hold them (Collapse); 0: unknown
     PairStates states;
     Vector normal;  ///< normal forces of the last solution [force]
@@ -40,10 +40,10 @@ class StateSearch {
 
   /// All arguments but the last must outlive it. \param most  maximum number of solves
   /// \param normal  normal forces for the bounds of a Tresca problem [force]; empty: bounds follow the current normal forces
-  StateSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, LinearContactSolver& solver,
+  StateSearch(const RigidBodyModel& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, LinearContactSolver& solver,
               int most, const Vector& normal = {});
   /// Frictionless contact: all pairs have Signorini's law.
-  StateSearch(const RigidContact& rigid, LinearContactSolver& solver, int most);
+  StateSearch(const RigidBodyModel& rigid, LinearContactSolver& solver, int most);
   /// Switches the half-plane model off; used for the small problems of that model.
   void withoutPrediction() { predicts_ = false; }
 
@@ -88,7 +88,7 @@ class StateSearch {
   bool isFrictionless() const { return projection_.isFrictionless(); }
   bool goesOn() const { return left_ > 0 && solver_.goesOn(); }
 
-  const RigidContact& rigid_;
+  const RigidBodyModel& rigid_;
   const ContactLaws none_;  // laws and sites of the frictionless constructor
   const std::vector<FrictionSite> bare_;
   const ContactLaws& laws_;

@@ -110,7 +110,7 @@ class Least {
     const Vector shift = lower.triangularView<Eigen::Lower>().solve(all.col(k));
     const auto back = [&](const Matrix& v) { return Matrix(lower.transpose().triangularView<Eigen::Upper>().solve(v)); };
     std::vector<int> open;
-    const RigidContact::Pairs& data = bodies_.rigid().data();
+    const RigidBodyModel::Pairs& data = bodies_.rigid().data();
     for (int i = 0; i < bodies_.rigid().pairs(); ++i)
       if (data.canChange[i] && !carrying[i] && !(data.rows.row(i) * motions_).isZero(kNoMotion)) open.push_back(i);
     const Matrix rows = data.rows(open, Eigen::all) * motions_;
@@ -203,7 +203,7 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
   for (const SubdomainMesh& mesh : meshes) all.push_back(&mesh);
   ContactBodies bodies(comm, all, laws);
   bodies.remember(carried);
-  const RigidContact& rigid = bodies.rigid();
+  const RigidBodyModel& rigid = bodies.rigid();
   const int count = rigid.pairs();
   if (count == 0) return;
   PairsAtSolution pairs = broadcastPairs(comm, solution.pairs, count);

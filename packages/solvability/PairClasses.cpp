@@ -21,7 +21,7 @@ constexpr double kNoGap = 1e-6;              // relative to the largest change o
 constexpr double kFlat = 1e-6;               // relative to a body's size: least scale of gap changes
 
 /// The largest value among the pairs of each part.
-std::vector<double> largestOf(const RigidContact::Pairs& data, std::size_t parts, const Vector& values) {
+std::vector<double> largestOf(const RigidBodyModel::Pairs& data, std::size_t parts, const Vector& values) {
   std::vector<double> most(parts, 0.0);
   for (std::size_t i = 0; i < data.bodies.size(); ++i)
     for (const int part : data.bodies[i]) most[part] = std::max(most[part], values(static_cast<Eigen::Index>(i)));
@@ -30,7 +30,7 @@ std::vector<double> largestOf(const RigidContact::Pairs& data, std::size_t parts
 
 /// Round-off of forces on each part: from the largest load or pair force on any part that is connected with it by pairs, closed or open. If
 /// no load is among them, all forces come from prescribed displacements and have the uncertainty of their last digits.
-std::vector<double> roundingOf(const RigidContact::Pairs& data, const std::vector<double>& force, const ForceScales& scales) {
+std::vector<double> roundingOf(const RigidBodyModel::Pairs& data, const std::vector<double>& force, const ForceScales& scales) {
   const std::size_t parts = force.size();
   DisjointSets neighbours(static_cast<int>(parts));
   for (const auto& bodies : data.bodies)
@@ -93,7 +93,7 @@ ForceScales forceScales(const Comm& comm, const std::vector<SubdomainMesh>& mesh
 }
 
 PairClasses classify(const ContactBodies& bodies, const PairsAtSolution& pairs, const ForceScales& scales) {
-  const RigidContact::Pairs& data = bodies.rigid().data();
+  const RigidBodyModel::Pairs& data = bodies.rigid().data();
   const int count = bodies.rigid().pairs();
   const std::vector<double> force = largestOf(data, bodies.parts().size(), pairs.force),
                             change = largestOf(data, bodies.parts().size(), pairs.change);

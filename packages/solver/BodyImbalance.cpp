@@ -10,7 +10,7 @@
 namespace suture {
 
 double bodyImbalance(const ContactBodies& bodies, const Matrix& force, const Vector& energy, const Vector& largest) {
-  const RigidContact::Pairs& data = bodies.rigid().data();
+  const RigidBodyModel::Pairs& data = bodies.rigid().data();
   if (bodies.areBound()) return 0.0;  // forces of bound pairs are unknown here
   const std::size_t parts = bodies.parts().size();
   std::vector<double> size(parts, 0.0), stiffness(parts, 0.0);

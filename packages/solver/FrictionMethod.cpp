@@ -7,7 +7,7 @@ namespace suture {
 
 void searchFriction(OuterSolver::Run& run, double innerTolerance) {
   const FrictionStates& friction = *run.problem.friction();
-  const RigidContact& rigid = run.problem.sets()->bodies().rigid();
+  const RigidBodyModel& rigid = run.problem.sets()->bodies().rigid();
   FrictionSolves solves(run, innerTolerance);
   PairStates start;
   if (run.given) start = friction.statesOf(run.result.state.status);

@@ -71,7 +71,7 @@ ContactAnswer FrictionSolves::answerOf(const PairValues& values, const PairState
   answer.force = values.force;
   answer.jump = values.jump;
   answer.energy = values.energy;
-  const RigidContact& rigid = sets_.bodies().rigid();
+  const RigidBodyModel& rigid = sets_.bodies().rigid();
   ClosedSet closed;
   for (const ContactState& state : states) closed.push_back(state.closed());
   const Vector size = values.force.rowwise().norm();

@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-14;  // round-off in the answer of a solve, rela
 }  // namespace
 
 void SetSolves::findClusters(const ClosedSet& closed) {
-  const RigidContact& rigid = sets_.bodies().rigid();
+  const RigidBodyModel& rigid = sets_.bodies().rigid();
   const auto parts = static_cast<int>(sets_.bodies().parts().size());
   DisjointSets clusters(parts);
   for (std::size_t i = 0; i < closed.size(); ++i)

@@ -60,10 +60,10 @@ void SetSolves::evaluateStart() {
   int applications = run_.problem.conform(state);
   applications += sets_.remember(state);
   ClosedSet closed = sets_.closedSet(state.status);
-  const RigidContact& rigid = sets_.bodies().rigid();
+  const RigidBodyModel& rigid = sets_.bodies().rigid();
   if (rigid.loosens(closed)) return;
   const ClosedSet carrying = closed;
-  for (const int i : rigid.holders(carrying, rigid.loose(carrying))) closed[i] = 1;
+  for (const int i : rigid.stabilisingPairs(carrying, rigid.loose(carrying))) closed[i] = 1;
   if (closed != carrying) return;
   const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
   precondition(state, linear.matrix);

@@ -28,7 +28,7 @@ InterfaceState stateOf(const Start& start, const InterfaceProblem& problem, cons
 std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
                       const std::vector<std::string>& bodies, bool atLimit) {
   constexpr std::size_t kMost = 10;
-  const RigidContact::Pairs& data = sets.bodies().rigid().data();
+  const RigidBodyModel::Pairs& data = sets.bodies().rigid().data();
   std::map<int, std::vector<int>> byLine;
   for (const int pair : pairs) byLine[data.line[pair]].push_back(pair);
   std::string text;

@@ -117,7 +117,7 @@ TEUCHOS_UNIT_TEST(ContactRow, IsEmptyWhereNothingCanMove) {
   const std::vector<ContactRow> rows = contactRows(mesh, constraints);
   int empty = 0;
   for (const ContactRow& row : rows) {
-    if (row.able()) continue;
+    if (row.canChange()) continue;
     ++empty;
     TEST_EQUALITY(mesh.point(row.pair.ends[0].node)[0], 4.0);
     TEST_FLOATING_EQUALITY(row.normal().gap, 0.375, 1e-14);  // B moved away by 0.5 - 0.125

@@ -27,7 +27,7 @@ TEUCHOS_UNIT_TEST(FrictionlessSearch, SolvesThreeThousandDegenerateProblems) {
   double solves = 0.0;
   for (unsigned seed = 0; seed < 3000; ++seed) {
     const RandomContact given(seed);
-    RigidContact rigid(given.pairs);
+    RigidBodyModel rigid(given.pairs);
     DelassusProblem problem(rigid, given.compliance, given.open, {});
     ClosedSet start = rigid.start();
     if (const ClosedSet all(start.size(), 1); seed % 3 == 0 && !rigid.loosens(all)) start = all;

@@ -17,14 +17,14 @@ struct Parabola {
   int pairs;
   double approach;
   Matrix compliance;
-  RigidContact rigid;
+  RigidBodyModel rigid;
 
   Parabola(int n, double depth) : pairs(n), approach(depth), compliance(n, n), rigid(data(n)) {
     const double unit = 2.0 / (M_PI * kModulus);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) compliance(i, j) = unit * (std::log(4.0 * n) + (i == j ? 1.5 : -std::log(std::abs(i - j))));
   }
-  static RigidContact::Pairs data(int n) {
+  static RigidBodyModel::Pairs data(int n) {
     const double stiffness = kNormalOfNode * M_PI * kModulus / 2.0;
     return {Matrix(n, 0),           Vector(0),
             Vector::Zero(n),        Vector::Constant(n, stiffness),
@@ -79,9 +79,9 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, FindsTheHalfWidthOfHertz) {
 
 // Pairs far from the ends, and those of other lines, do not change.
 TEUCHOS_UNIT_TEST(HalfPlaneModel, ChangesNothingFarFromTheEnds) {
-  RigidContact::Pairs data = Parabola::data(200);
+  RigidBodyModel::Pairs data = Parabola::data(200);
   for (int i = 100; i < 200; ++i) data.line[i] = 1;
-  const RigidContact rigid(data);
+  const RigidBodyModel rigid(data);
   ClosedSet closed(200, 1);
   Vector force = Vector::Constant(200, 1.0), penetration = Vector::Zero(200);
   force(99) = -0.5;
@@ -96,7 +96,7 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, ChangesNothingFarFromTheEnds) {
 // Where signs change along a whole line, no end of a zone is known: the signs are used unchanged.
 TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesLongStretchesToTheSigns) {
   for (const int n : {300, 1000}) {
-    const RigidContact rigid(Parabola::data(n));
+    const RigidBodyModel rigid(Parabola::data(n));
     const ClosedSet closed(n, 1);
     ClosedSet flipped = closed;
     Vector force = Vector::Constant(n, 1.0);
@@ -108,13 +108,13 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesLongStretchesToTheSigns) {
 // 3D bodies are no half-planes: the signs decide.
 TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesSurfacesToTheSigns) {
   const Parabola scene(40, 0.02);
-  RigidContact::Pairs data = Parabola::data(40);
+  RigidBodyModel::Pairs data = Parabola::data(40);
   data.surfaces = true;
   const ClosedSet closed(40, 1);
   const auto [force, penetration] = scene.solve(closed);
   ClosedSet flipped = closed;
   for (int i = 0; i < 40; ++i) flipped[i] = force(i) > 0.0;
-  TEST_ASSERT(HalfPlaneModel(RigidContact(data)).closedSet(closed, flipped, force, penetration) == flipped);
+  TEST_ASSERT(HalfPlaneModel(RigidBodyModel(data)).closedSet(closed, flipped, force, penetration) == flipped);
   TEST_ASSERT(HalfPlaneModel(scene.rigid).closedSet(closed, flipped, force, penetration) != flipped);
 }
 

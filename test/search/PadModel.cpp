@@ -11,7 +11,7 @@ using Force = FrictionCone::Force;
 
 /// A block of base 2 (2 x 2 in 3D) on pads at its corners, under forces at its centre, `height` above the pads.
 struct Block {
-  RigidContact::Pairs pairs;
+  RigidBodyModel::Pairs pairs;
 
   Block(int dimension, const Force& load, double height = 0.2) {
     const int corners = dimension == 2 ? 2 : 4, motions = dimension == 2 ? 3 : 6;
@@ -54,7 +54,7 @@ TEUCHOS_UNIT_TEST(PadModel, DetectsLoadsThatTheConesCannotBalance) {
     }
   }
   // Without friction, in a groove of two flanks: loads into the groove hold, loads out along a flank do not.
-  RigidContact::Pairs groove = Block(2, Force(1.0, 0.0, 0.0)).pairs;
+  RigidBodyModel::Pairs groove = Block(2, Force(1.0, 0.0, 0.0)).pairs;
   groove.rows.setZero(), groove.tangents[0].setZero();
   for (int i = 0; i < 2; ++i) {
     const double side = i == 0 ? 1.0 : -1.0;
@@ -109,7 +109,7 @@ TEUCHOS_UNIT_TEST(PadModel, BalancesTheLoadsByForcesOfTheLaw) {
 // A wedge in a V-groove of right angle, before it touches: the bounds of pairs without normal force would hold it where it is. It falls
 // until both sides touch, and only then do bounds act: statics gives normal forces load / sqrt 2 without them, and less with them.
 TEUCHOS_UNIT_TEST(PadModel, OpenPadsHoldNothing) {
-  RigidContact::Pairs groove;
+  RigidBodyModel::Pairs groove;
   groove.rows = Matrix::Constant(2, 2, std::sqrt(0.5));
   groove.tangents.assign(1, Matrix::Constant(2, 2, std::sqrt(0.5)));
   groove.rows(1, 1) *= -1.0;
@@ -180,7 +180,7 @@ TEUCHOS_UNIT_TEST(PadModel, ReportsALoadThatNoPadStops) {
 // A body rests on a soft pad beside a stiff one that presses the other way: forces of the soft pad balance the load, however soft it is.
 TEUCHOS_UNIT_TEST(PadModel, SoftPadsBalanceLoadsBesideStiffOnes) {
   for (const double soft : {1.0, 1e-3, 1e-6, 1e-9}) {
-    RigidContact::Pairs pairs;
+    RigidBodyModel::Pairs pairs;
     pairs.rows = (Matrix(2, 1) << 1.0, -1.0).finished();
     pairs.penetration = Vector::Zero(2);
     pairs.stiffness = (Vector(2) << soft, 1.0).finished();

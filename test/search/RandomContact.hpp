@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 #include <random>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 namespace suture {
 
@@ -9,7 +9,7 @@ namespace suture {
 struct RandomContact {
   Matrix compliance;
   Vector open;
-  RigidContact::Pairs pairs;
+  RigidBodyModel::Pairs pairs;
 
   explicit RandomContact(unsigned seed);
 };

@@ -6,8 +6,8 @@ namespace suture {
 namespace {
 
 /// A plate of half-length 1 on pads at x = -1, 0 and 1; it moves down (first motion) and turns (second motion).
-RigidContact::Pairs plate(double weight, double moment) {
-  RigidContact::Pairs pairs;
+RigidBodyModel::Pairs plate(double weight, double moment) {
+  RigidBodyModel::Pairs pairs;
   pairs.rows = Matrix(3, 2);
   pairs.rows << 1.0, -1.0, 1.0, 0.0, 1.0, 1.0;
   pairs.work = Vector(2);
@@ -27,7 +27,7 @@ TEUCHOS_UNIT_TEST(SoftBodies, ASpringCarriesWhatPadsCannot) {
   springs << 0.0, spring;
   t << -1e4, 0.0, -1e4;
   const SoftBodies bodies(plate(weight, moment), springs);
-  const RigidContact::Equilibrium found = bodies.project(t, Vector::Constant(3, 0.25), reached);
+  const RigidBodyModel::Equilibrium found = bodies.project(t, Vector::Constant(3, 0.25), reached);
   TEST_ASSERT(found.found);
   TEST_FLOATING_EQUALITY(found.motion(1), moment / spring, 1e-10);
   TEST_FLOATING_EQUALITY(found.motion(0), 0.25 * weight, 1e-10);
@@ -43,7 +43,7 @@ TEUCHOS_UNIT_TEST(SoftBodies, PadsCarryWhatTheyCan) {
   springs << 0.0, 1e-6;
   t << 0.0, -1.0, 0.0;
   const SoftBodies bodies(plate(2.0, 0.5), springs);
-  const RigidContact::Equilibrium found = bodies.project(t, Vector::Constant(3, 0.25), reached);
+  const RigidBodyModel::Equilibrium found = bodies.project(t, Vector::Constant(3, 0.25), reached);
   TEST_ASSERT(found.found);
   TEST_FLOATING_EQUALITY(found.force(0), 0.75, 1e-5);
   TEST_FLOATING_EQUALITY(found.force(2), 1.25, 1e-5);

@@ -323,7 +323,7 @@ TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionOfFewPairsWhereThereIsOne) {
 // at its bound exactly and must not alternate between stick and slip.
 TEUCHOS_UNIT_TEST(StateSearch, KeepsAPairAtItsBoundWithLargeFriction) {
   const double mu = 1.5, size = 1e-3;
-  RigidContact::Pairs pairs;
+  RigidBodyModel::Pairs pairs;
   pairs.rows = Matrix(1, 0);
   pairs.tangents.assign(2, Matrix(1, 0));
   pairs.work = Vector(0);
@@ -331,7 +331,7 @@ TEUCHOS_UNIT_TEST(StateSearch, KeepsAPairAtItsBoundWithLargeFriction) {
   pairs.stiffness = Vector::Ones(1);
   pairs.line = {0};
   pairs.canChange = {1};
-  const RigidContact rigid(pairs);
+  const RigidBodyModel rigid(pairs);
   const ContactLaws laws({dry(0.0, mu)});
   const std::vector<FrictionSite> sites{{{0, 0, 0}, 1.0, 1.0}};
   const LawProjection projection(rigid, laws, sites);

@@ -23,7 +23,7 @@ struct Held : Formulated {
     state.memory.reset();
     problem->conform(state);
   }
-  const RigidContact& rigid() const { return sets.bodies().rigid(); }
+  const RigidBodyModel& rigid() const { return sets.bodies().rigid(); }
   std::shared_ptr<const InterfaceSpace> space() const { return problem->linearise(state).matrix->space(); }
   InterfaceState after(const MultiVector& step) const {
     InterfaceState copy = state;

@@ -2,7 +2,7 @@
 #include <support/DenseAlgebra.hpp>
 #include <support/DryLaw.hpp>
 #include <suture/search/LinearContactSolver.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 
 #include <cmath>
 #include <memory>
@@ -20,7 +20,7 @@ struct CondensedBody : LinearContactSolver {
   ContactLaws laws;
   std::vector<int> line;
   std::vector<FrictionSite> sites;
-  std::unique_ptr<RigidContact> rigid;
+  std::unique_ptr<RigidBodyModel> rigid;
   int solves = 0;
   bool strange = false;  // a pair had a state that its law does not have
   Vector u;              // solution of the last solve
@@ -51,7 +51,7 @@ struct CondensedBody : LinearContactSolver {
   void begin(std::vector<SearchLaw> all, const std::vector<int>& lines) {
     laws = ContactLaws(std::move(all));
     line = lines;
-    RigidContact::Pairs pairs;
+    RigidBodyModel::Pairs pairs;
     const auto motions = kernel.cols();
     pairs.rows = Matrix::Zero(nodes, motions);
     pairs.tangents.assign(dimension - 1, Matrix::Zero(nodes, motions));
@@ -72,7 +72,7 @@ struct CondensedBody : LinearContactSolver {
       pairs.canChange[i] = 0;
       pairs.bound[i] = 1;
     }
-    rigid = std::make_unique<RigidContact>(std::move(pairs));
+    rigid = std::make_unique<RigidBodyModel>(std::move(pairs));
   }
 
   PairStates all(PairStatus status) const {

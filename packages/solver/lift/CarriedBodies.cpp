@@ -1,7 +1,7 @@
 #include <suture/base/Gather.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/quality/PairResult.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
 #include <suture/solver/lift/CarriedBodies.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -104,7 +104,7 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   if (motions == 0) return carried;
   const std::vector<End> ends = endsOf(comm, meshes, model, parts);
   const int count = ends.empty() ? 0 : ends.back().pair + 1;
-  RigidContact::Pairs pairs;
+  RigidBodyModel::Pairs pairs;
   pairs.rows = Matrix::Zero(count, motions);
   pairs.penetration = Vector::Zero(count);
   pairs.line.assign(count, -1);
@@ -126,9 +126,9 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   pairs.stiffness = compliance.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
   pairs.work = workOf(comm, meshes, model, parts, first, motions);
   const Vector penetration = pairs.penetration;
-  RigidContact rigid(std::move(pairs));
+  RigidBodyModel rigid(std::move(pairs));
   rigid.start();
-  const RigidContact::Equilibrium found = rigid.project(penetration);
+  const RigidBodyModel::Equilibrium found = rigid.project(penetration);
   if (!found.found) return carried;
   ClosedSet carrying(count, 0);
   for (int i = 0; i < count; ++i) carrying[i] = found.force[i] > 0.0;

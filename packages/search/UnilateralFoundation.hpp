@@ -5,13 +5,13 @@ namespace suture {
 
 /// Equilibrium of rigid bodies on unilateral pads:  min over x of  sum k (t + rows x)_+^2 / 2 - e.x.  Convex and piecewise quadratic in few
 /// unknowns: Newton's method with an exact line search. Holds references: its arguments must outlive it. Local.
-class PadProblem {
+class UnilateralFoundation {
  public:
   /// \param rows        pads x motions, of order one
   /// \param stiffness   k >= 0 of the pads [force / length]
   /// \param work        e: work of the loads in each motion [force]
   /// \param forceScale  reference for an imbalance, together with the pad forces [force]
-  PadProblem(const Matrix& rows, const Vector& stiffness, const Vector& work, double forceScale)
+  UnilateralFoundation(const Matrix& rows, const Vector& stiffness, const Vector& work, double forceScale)
       : rows_(rows), stiffness_(stiffness), work_(work), forceScale_(forceScale) {}
 
   /// Moves from x to the equilibrium. If plain steps do not converge, the steps start with pads that press before they are touched, which

@@ -1,6 +1,6 @@
 #include <suture/algebra/dense/Decompositions.hpp>
-#include <suture/search/PadProblem.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
+#include <suture/search/UnilateralFoundation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +23,14 @@ constexpr double kNotSoft = 1e-16;          // softness that counts as zero, rel
 
 }  // namespace
 
-double PadProblem::slope(const Vector& y, const Vector& v, double work, double a) const {
+double UnilateralFoundation::slope(const Vector& y, const Vector& v, double work, double a) const {
   double sum = -work;
   for (Eigen::Index i = 0; i < y.size(); ++i) sum += v(i) * stiffness_(i) * std::max(y(i) + a * v(i), 0.0);
   return sum;
 }
 
 /// Step length along a direction: exact, over the breakpoints where pads open and close. Negative: nothing stops the motion.
-double PadProblem::lineSearch(const Vector& y, const Vector& v, double work) const {
+double UnilateralFoundation::lineSearch(const Vector& y, const Vector& v, double work) const {
   std::vector<double> breaks;
   for (Eigen::Index i = 0; i < y.size(); ++i)
     if (v(i) != 0.0)
@@ -63,10 +63,12 @@ double PadProblem::lineSearch(const Vector& y, const Vector& v, double work) con
   return bounded ? std::min(before - rest / curvature, breaks[low]) : before - rest / curvature;
 }
 
-Vector PadProblem::gradient(const Vector& y) const { return rows_.transpose() * y.cwiseMax(0.0).cwiseProduct(stiffness_) - work_; }
+Vector UnilateralFoundation::gradient(const Vector& y) const {
+  return rows_.transpose() * y.cwiseMax(0.0).cwiseProduct(stiffness_) - work_;
+}
 
 /// Scales of the motions: square roots of the diagonal of the Hessian, or of a typical pad for motions that no pad stops yet.
-Vector PadProblem::scales(const Matrix& hessian) const {
+Vector UnilateralFoundation::scales(const Matrix& hessian) const {
   Vector scale = hessian.diagonal().cwiseMax(0.0).cwiseSqrt();
   const double big = scale.size() > 0 && scale.maxCoeff() > 0.0 ? scale.maxCoeff() : 0.0;
   std::vector<double> sorted(stiffness_.data(), stiffness_.data() + stiffness_.size());
@@ -82,7 +84,7 @@ Vector PadProblem::scales(const Matrix& hessian) const {
 
 /// Newton on the motions that closed pads stop, then along the gradient of the others until pads stop them. A common line search would
 /// limit the large motions of unconstrained bodies by the small ones of the others.
-PadProblem::End PadProblem::newton(Vector& x, Vector& y, int steps, double nothing) const {
+UnilateralFoundation::End UnilateralFoundation::newton(Vector& x, Vector& y, int steps, double nothing) const {
   const Eigen::Index n = rows_.cols();
   const auto move = [&](const Vector& direction, double length) {
     x += length * direction;
@@ -120,7 +122,7 @@ PadProblem::End PadProblem::newton(Vector& x, Vector& y, int steps, double nothi
 
 /// Newton steps with pads that press slightly before they are touched: forces k s log(1 + exp(y / s)). Bodies that would bounce between two
 /// distant walls then see both.
-void PadProblem::soften(Vector& x, Vector& y, double softness) const {
+void UnilateralFoundation::soften(Vector& x, Vector& y, double softness) const {
   Vector force(y.size()), tangent(y.size());
   const auto press = [&](const Vector& at) {
     for (Eigen::Index i = 0; i < at.size(); ++i) {
@@ -147,7 +149,7 @@ void PadProblem::soften(Vector& x, Vector& y, double softness) const {
   }
 }
 
-bool PadProblem::solve(Vector& x, Vector& y) const {
+bool UnilateralFoundation::solve(Vector& x, Vector& y) const {
   const Vector from = x, open = y;
   // Bodies without loads move apart until no pad presses: the scale of their pad forces is that of the initial ones.
   const double nothing = kNoPadForce * y.cwiseMax(0.0).dot(stiffness_);

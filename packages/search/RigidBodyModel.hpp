@@ -20,7 +20,7 @@ constexpr double kDependentRows = 1e-9;  ///< singular value of rows (of order o
 ///     min over a of  sum (t + rows a)_+^2 / 2 c - e.a,       pad forces (t + rows a)_+ / c >= 0,  rows^T force = e.
 /// Convex and piecewise quadratic in few unknowns: Newton with an exact line search. Local; the same arguments give the same result on all
 /// ranks.
-class RigidContact {
+class RigidBodyModel {
  public:
   struct Pairs {
     Matrix rows;            ///< pairs x motions, of order one: motions are scaled by their largest displacement
@@ -35,7 +35,7 @@ class RigidContact {
     std::vector<char> bound = {};          ///< pairs that never open (ContactLaw::separates): motions keep them closed. Empty: none
   };
 
-  explicit RigidContact(Pairs pairs);
+  explicit RigidBodyModel(Pairs pairs);
 
   int pairs() const { return static_cast<int>(pairs_.line.size()); }
   int motions() const { return static_cast<int>(pairs_.work.size()); }
@@ -77,11 +77,11 @@ class RigidContact {
   /// True if a set leaves a motion free that all pairs together would stop.
   bool loosens(const ClosedSet& closed) const;
   bool loosens(const PairStates& states) const;
-  /// Stabilising pairs (holders): open pairs that, closed in addition to a set with the free motions `loose`, stop all motions that pairs
-  /// can stop: one per motion, chosen for the best conditioning.
-  std::vector<int> holders(const ClosedSet& closed, const Matrix& loose) const;
+  /// Stabilising pairs: open pairs that, closed in addition to a set with the free motions `loose`, stop all motions
+  /// that pairs can stop: one per motion, chosen for the best conditioning.
+  std::vector<int> stabilisingPairs(const ClosedSet& closed, const Matrix& loose) const;
   /// Forces of stabilising pairs from statics alone, if loads do work in free motions: > 0 compressive. Zero if the work is round-off.
-  Vector holderForces(const std::vector<int>& holders, const Matrix& loose) const;
+  Vector stabilisingForces(const std::vector<int>& stabilisingPairs, const Matrix& loose) const;
   /// The combination z of free motions Z that minimises penetration of open pairs: argmin sum (w + rows Z z)_+^2 / c. Zero if none
   /// penetrates.
   Vector settle(const ClosedSet& closed, const Vector& penetration, const Matrix& loose) const;

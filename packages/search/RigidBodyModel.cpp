@@ -4,8 +4,8 @@
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/search/PadModel.hpp>
-#include <suture/search/PadProblem.hpp>
-#include <suture/search/RigidContact.hpp>
+#include <suture/search/RigidBodyModel.hpp>
+#include <suture/search/UnilateralFoundation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ std::vector<int> members(const ClosedSet& set, char value) {
 
 }  // namespace
 
-RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)) {
+RigidBodyModel::RigidBodyModel(Pairs pairs) : pairs_(std::move(pairs)) {
   if (pairs_.rows.rows() != this->pairs() || pairs_.penetration.size() != this->pairs() || pairs_.stiffness.size() != this->pairs())
     throw InternalError("rigid contact: the arrays differ in their number of pairs");
   compliance_ = 2.0 * pairs_.stiffness.cwiseInverse();
@@ -45,7 +45,7 @@ RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)) {
   findComponents();
 }
 
-void RigidContact::findComponents() {
+void RigidBodyModel::findComponents() {
   DisjointSets sets(motions());
   std::vector<int> any(pairs(), -1);  // a motion that moves the pair
   for (int i = 0; i < pairs(); ++i) {
@@ -70,7 +70,7 @@ void RigidContact::findComponents() {
 }
 
 /// Bodies coupled by pads are solved separately, so that lightly loaded ones are not lost in the round-off of heavily loaded ones.
-RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
+RigidBodyModel::Equilibrium RigidBodyModel::project(const Vector& t) const {
   Equilibrium result;
   result.motion = Vector::Zero(motions());
   // Pairs that cannot change are left out.
@@ -88,7 +88,7 @@ RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
       penetration(component.pairs) = pads.trial.col(0).cwiseQuotient(k);
       continue;
     }
-    const PadProblem problem(rows, k, work, work.norm());
+    const UnilateralFoundation problem(rows, k, work, work.norm());
     Vector x = Vector::Zero(work.size()), y = own;
     result.found = problem.solve(x, y) && result.found;
     result.motion(component.motions) = x;
@@ -98,7 +98,7 @@ RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   return result;
 }
 
-Vector RigidContact::leastMotion(const ClosedSet& carrying, const Vector& motion, const Vector& penetration) const {
+Vector RigidBodyModel::leastMotion(const ClosedSet& carrying, const Vector& motion, const Vector& penetration) const {
   const Matrix free = loose(carrying);
   if (free.cols() == 0) return motion;
   std::vector<int> open;
@@ -111,7 +111,7 @@ Vector RigidContact::leastMotion(const ClosedSet& carrying, const Vector& motion
 
 /// Under a force on each pair, a patch of n closed pairs on a line is n times as compliant as one pair, on a surface sqrt(n) times. Open
 /// pairs use the longest patch of their line.
-Vector RigidContact::patchLengths(const ClosedSet& set) const {
+Vector RigidBodyModel::patchLengths(const ClosedSet& set) const {
   Vector length = Vector::Zero(pairs());
   std::map<int, double> longest;
   if (pairs_.surfaces) {
@@ -131,7 +131,7 @@ Vector RigidContact::patchLengths(const ClosedSet& set) const {
   return length;
 }
 
-ClosedSet RigidContact::start() {
+ClosedSet RigidBodyModel::start() {
   ClosedSet set(pairs(), 0), last;
   compliance_ = 6.0 * pairs_.stiffness.cwiseInverse();
   for (int i = 0; i < pairs(); ++i)
@@ -154,7 +154,7 @@ ClosedSet RigidContact::start() {
   return set;
 }
 
-void RigidContact::findEntries() {
+void RigidBodyModel::findEntries() {
   entries_.assign(1 + pairs_.tangents.size(), std::vector<Entries>(static_cast<std::size_t>(pairs())));
   for (std::size_t c = 0; c < entries_.size(); ++c) {
     const Matrix& rows = c == 0 ? pairs_.rows : pairs_.tangents[c - 1];
@@ -164,7 +164,7 @@ void RigidContact::findEntries() {
   }
 }
 
-Matrix RigidContact::nullSpaceOf(const std::vector<const Entries*>& rows) const {
+Matrix RigidBodyModel::nullSpaceOf(const std::vector<const Entries*>& rows) const {
   if (motions() <= kMostDense) {
     Matrix dense = Matrix::Zero(static_cast<Eigen::Index>(rows.size()), motions());
     for (std::size_t r = 0; r < rows.size(); ++r)
@@ -179,14 +179,14 @@ Matrix RigidContact::nullSpaceOf(const std::vector<const Entries*>& rows) const 
   return sparseNullSpace(sparse, kDependentRows);
 }
 
-Matrix RigidContact::loose(const ClosedSet& closed) const {
+Matrix RigidBodyModel::loose(const ClosedSet& closed) const {
   if (motions() == 0) return Matrix(0, 0);
   std::vector<const Entries*> rows;
   for (const int i : members(closed, 1)) rows.push_back(&entries_[0][static_cast<std::size_t>(i)]);
   return nullSpaceOf(rows);
 }
 
-Matrix RigidContact::loose(const PairStates& states) const {
+Matrix RigidBodyModel::loose(const PairStates& states) const {
   if (motions() == 0) return Matrix(0, 0);
   std::vector<const Entries*> rows;
   std::vector<std::size_t> springs;  // pairs
@@ -209,11 +209,11 @@ Matrix RigidContact::loose(const PairStates& states) const {
   return free * nullSpace(held, kWeakSprings);
 }
 
-bool RigidContact::loosens(const PairStates& states) const { return motions() - static_cast<int>(loose(states).cols()) < rank_; }
+bool RigidBodyModel::loosens(const PairStates& states) const { return motions() - static_cast<int>(loose(states).cols()) < rank_; }
 
-bool RigidContact::loosens(const ClosedSet& closed) const { return motions() - static_cast<int>(loose(closed).cols()) < rank_; }
+bool RigidBodyModel::loosens(const ClosedSet& closed) const { return motions() - static_cast<int>(loose(closed).cols()) < rank_; }
 
-std::vector<int> RigidContact::holders(const ClosedSet& closed, const Matrix& loose) const {
+std::vector<int> RigidBodyModel::stabilisingPairs(const ClosedSet& closed, const Matrix& loose) const {
   std::vector<int> open;
   for (const int i : members(closed, 0))
     if (pairs_.canChange[i]) open.push_back(i);
@@ -232,13 +232,13 @@ std::vector<int> RigidContact::holders(const ClosedSet& closed, const Matrix& lo
   return chosen;
 }
 
-Vector RigidContact::holderForces(const std::vector<int>& holders, const Matrix& loose) const {
+Vector RigidBodyModel::stabilisingForces(const std::vector<int>& stabilisingPairs, const Matrix& loose) const {
   Vector work = loose.transpose() * pairs_.work;
   const Vector size = loose.cwiseAbs().transpose() * pairs_.work.cwiseAbs();
   for (Eigen::Index k = 0; k < work.size(); ++k)
     if (std::abs(work(k)) <= kNoWork * size(k)) work(k) = 0.0;
-  if (holders.empty() || work.isZero(0.0)) return Vector::Zero(static_cast<Eigen::Index>(holders.size()));
-  const Matrix rows = pairs_.rows(holders, Eigen::all) * loose;
+  if (stabilisingPairs.empty() || work.isZero(0.0)) return Vector::Zero(static_cast<Eigen::Index>(stabilisingPairs.size()));
+  const Matrix rows = pairs_.rows(stabilisingPairs, Eigen::all) * loose;
   Vector force = leastSquares(rows.transpose(), work);
   const double least = kNoWork * force.cwiseAbs().maxCoeff();
   for (double& each : force)
@@ -246,7 +246,7 @@ Vector RigidContact::holderForces(const std::vector<int>& holders, const Matrix&
   return force;
 }
 
-Vector RigidContact::settle(const ClosedSet& closed, const Vector& penetration, const Matrix& loose) const {
+Vector RigidBodyModel::settle(const ClosedSet& closed, const Vector& penetration, const Matrix& loose) const {
   Vector z = Vector::Zero(loose.cols());
   std::vector<int> open;
   for (const int i : members(closed, 0))
@@ -256,14 +256,14 @@ Vector RigidContact::settle(const ClosedSet& closed, const Vector& penetration, 
   if (!(w.maxCoeff() > 0.0)) return z;
   const Matrix rows = pairs_.rows(open, Eigen::all) * loose;
   const Vector stiffness = Vector(compliance_(open)).cwiseInverse(), none = Vector::Zero(loose.cols());
-  const PadProblem problem(rows, stiffness, none, 1e-12 * w.cwiseMax(0.0).dot(stiffness));
+  const UnilateralFoundation problem(rows, stiffness, none, 1e-12 * w.cwiseMax(0.0).dot(stiffness));
   Vector moved = w;
   problem.solve(z, moved);
   return z;
 }
 
 // The cone {z : G z <= 0} is a point if and only if its polar cone, spanned by the rows of G, is the whole space.
-Matrix RigidContact::neutral(const ClosedSet& carrying, const ClosedSet& touching) const {
+Matrix RigidBodyModel::neutral(const ClosedSet& carrying, const ClosedSet& touching) const {
   const Matrix free = loose(carrying);
   if (free.cols() == 0) return Matrix(motions(), 0);
   const std::vector<int> at = members(touching, 1);
@@ -280,14 +280,14 @@ Matrix RigidContact::neutral(const ClosedSet& carrying, const ClosedSet& touchin
   return found.cols() > 0 ? Matrix(free * orthonormalBasis(found, 1e-9)) : Matrix(motions(), 0);
 }
 
-int RigidContact::bodies() const {
+int RigidBodyModel::bodies() const {
   int bodies = 0;
   for (const auto& own : pairs_.bodies)
     for (const int body : own) bodies = std::max(bodies, body + 1);
   return bodies;
 }
 
-Vector RigidContact::clusterScale(const ClosedSet& closed, const Vector& values) const {
+Vector RigidBodyModel::clusterScale(const ClosedSet& closed, const Vector& values) const {
   DisjointSets clusters(bodies());
   for (int i = 0; i < pairs(); ++i)
     if (closed[i] && !pairs_.bodies.empty())
@@ -295,12 +295,12 @@ Vector RigidContact::clusterScale(const ClosedSet& closed, const Vector& values)
   return scaleOf(clusters, closed, values, false);
 }
 
-Vector RigidContact::bodyScale(const ClosedSet& closed, const Vector& values) const {
+Vector RigidBodyModel::bodyScale(const ClosedSet& closed, const Vector& values) const {
   return scaleOf(DisjointSets(bodies()), closed, values, true);
 }
 
 /// Largest magnitude among the closed pairs of the sets that a pair's bodies belong to: minimum or maximum over these sets.
-Vector RigidContact::scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const {
+Vector RigidBodyModel::scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const {
   Vector scale = Vector::Zero(pairs());
   if (pairs_.bodies.empty()) {
     if (values.size() > 0) scale.setConstant(values.cwiseAbs().maxCoeff());

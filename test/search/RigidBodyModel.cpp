@@ -7,8 +7,8 @@ namespace suture {
 namespace {
 
 /// Pads of unit stiffness on bodies that move along one line each; one row per pad.
-RigidContact::Pairs onLines(const Matrix& rows, const Vector& work, const Vector& penetration) {
-  RigidContact::Pairs pairs;
+RigidBodyModel::Pairs onLines(const Matrix& rows, const Vector& work, const Vector& penetration) {
+  RigidBodyModel::Pairs pairs;
   pairs.rows = rows;
   pairs.work = work;
   pairs.penetration = penetration;
@@ -18,12 +18,12 @@ RigidContact::Pairs onLines(const Matrix& rows, const Vector& work, const Vector
   return pairs;
 }
 
-TEUCHOS_UNIT_TEST(RigidContact, PadsCarryTheLoads) {
+TEUCHOS_UNIT_TEST(RigidBodyModel, PadsCarryTheLoads) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     const RandomContact given(seed);
-    RigidContact rigid(given.pairs);
+    RigidBodyModel rigid(given.pairs);
     rigid.start();
-    const RigidContact::Equilibrium pads = rigid.project(given.pairs.penetration);
+    const RigidBodyModel::Equilibrium pads = rigid.project(given.pairs.penetration);
     TEST_ASSERT(pads.found);
     if (pads.force.size() > 0) TEST_COMPARE(pads.force.minCoeff(), >=, 0.0);
     const double size =
@@ -32,14 +32,14 @@ TEUCHOS_UNIT_TEST(RigidContact, PadsCarryTheLoads) {
   }
 }
 
-TEUCHOS_UNIT_TEST(RigidContact, HoldersStopAllThatPairsCanStop) {
+TEUCHOS_UNIT_TEST(RigidBodyModel, StabilisingPairsStopAllThatPairsCanStop) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     const RandomContact given(seed);
-    const RigidContact rigid(given.pairs);
+    const RigidBodyModel rigid(given.pairs);
     ClosedSet closed(given.open.size(), 0);
     for (std::size_t i = 0; i < closed.size(); i += 2 + seed % 3) closed[i] = 1;
     const Matrix loose = rigid.loose(closed);
-    for (const int i : rigid.holders(closed, loose)) {
+    for (const int i : rigid.stabilisingPairs(closed, loose)) {
       TEST_EQUALITY(static_cast<int>(closed[i]), 0);
       closed[i] = 1;
     }
@@ -47,38 +47,38 @@ TEUCHOS_UNIT_TEST(RigidContact, HoldersStopAllThatPairsCanStop) {
   }
 }
 
-TEUCHOS_UNIT_TEST(RigidContact, RefusesLoadsThatPushABodyAway) {
-  RigidContact::Pairs pairs;
+TEUCHOS_UNIT_TEST(RigidBodyModel, RefusesLoadsThatPushABodyAway) {
+  RigidBodyModel::Pairs pairs;
   pairs.rows = Matrix::Constant(2, 1, 1.0);
   pairs.work = Vector::Constant(1, -1.0);  // pairs only push the other way
   pairs.penetration = Vector::Constant(2, -0.1);
   pairs.stiffness = Vector::Ones(2);
   pairs.line = {0, 0};
   pairs.canChange = {1, 1};
-  RigidContact rigid(pairs);
+  RigidBodyModel rigid(pairs);
   TEST_THROW(rigid.start(), NumericalError);
 }
 
-TEUCHOS_UNIT_TEST(RigidContact, NeutralMotionsAreThoseThatTouchingPairsDoNotStop) {
-  RigidContact::Pairs pairs;
+TEUCHOS_UNIT_TEST(RigidBodyModel, NeutralMotionsAreThoseThatTouchingPairsDoNotStop) {
+  RigidBodyModel::Pairs pairs;
   pairs.rows = (Matrix(3, 2) << 1, 0, 0, 1, 0, -1).finished();
   pairs.work = (Vector(2) << 1, 0).finished();
   pairs.penetration = Vector::Zero(3);
   pairs.stiffness = Vector::Ones(3);
   pairs.line = {0, 1, 2};
   pairs.canChange = {1, 1, 1};
-  const RigidContact rigid(pairs);
+  const RigidBodyModel rigid(pairs);
   TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 0, 0}).cols(), 1);
   TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 1, 0}).cols(), 1);  // away from the one that touches
   TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 1, 1}).cols(), 0);  // between two that touch
 }
 
 /// A weak cluster next to a strong one: its equilibrium is not lost in the round-off of the other. Pads have compliance 2 before start().
-TEUCHOS_UNIT_TEST(RigidContact, SeparateClustersKeepTheirDigits) {
+TEUCHOS_UNIT_TEST(RigidBodyModel, SeparateClustersKeepTheirDigits) {
   const Matrix rows = Matrix::Identity(2, 2);
   for (const double weak : {1.0, 1e-12, 1e-30}) {
-    const RigidContact rigid(onLines(rows, (Vector(2) << 1.0, weak).finished(), (Vector(2) << -1e3, -weak).finished()));
-    const RigidContact::Equilibrium pads = rigid.project(rigid.data().penetration);
+    const RigidBodyModel rigid(onLines(rows, (Vector(2) << 1.0, weak).finished(), (Vector(2) << -1e3, -weak).finished()));
+    const RigidBodyModel::Equilibrium pads = rigid.project(rigid.data().penetration);
     TEST_ASSERT(pads.found);
     TEST_FLOATING_EQUALITY(pads.force(0), 1.0, 1e-10);
     TEST_FLOATING_EQUALITY(pads.force(1), weak, 1e-12);
@@ -88,10 +88,10 @@ TEUCHOS_UNIT_TEST(RigidContact, SeparateClustersKeepTheirDigits) {
 }
 
 /// Forces keep their digits over long motions: with pads of compliance 2 the body moves to the end of the gap and 2 further.
-TEUCHOS_UNIT_TEST(RigidContact, ForcesKeepTheirDigitsOverLongWays) {
+TEUCHOS_UNIT_TEST(RigidBodyModel, ForcesKeepTheirDigitsOverLongWays) {
   for (const double gap : {1.0, 1e6, 1e12}) {
-    const RigidContact rigid(onLines(Matrix::Ones(1, 1), Vector::Ones(1), Vector::Constant(1, -gap)));
-    const RigidContact::Equilibrium pads = rigid.project(rigid.data().penetration);
+    const RigidBodyModel rigid(onLines(Matrix::Ones(1, 1), Vector::Ones(1), Vector::Constant(1, -gap)));
+    const RigidBodyModel::Equilibrium pads = rigid.project(rigid.data().penetration);
     TEST_ASSERT(pads.found);
     TEST_FLOATING_EQUALITY(pads.force(0), 1.0, 1e-9);
     TEST_FLOATING_EQUALITY(pads.motion(0), gap + 2.0, 1e-12);
@@ -100,13 +100,13 @@ TEUCHOS_UNIT_TEST(RigidContact, ForcesKeepTheirDigitsOverLongWays) {
 
 /// A wedge that two walls guide slides a long way down a narrowing slot of many steps and comes to rest against one of them: each plain
 /// Newton step detects one wall.
-TEUCHOS_UNIT_TEST(RigidContact, ABodyThatBouncesBetweenWallsIsBroughtToRest) {
+TEUCHOS_UNIT_TEST(RigidBodyModel, ABodyThatBouncesBetweenWallsIsBroughtToRest) {
   for (const double slope : {1e-1, 1e-3, 1e-5}) {
     Matrix rows(2, 2);  // walls that close in by `slope`
     rows << slope, 1.0, slope, -1.0;
     const double way = 1e4;
-    RigidContact rigid(onLines(rows, (Vector(2) << 1.0, 0.0).finished(), Vector::Constant(2, -way * slope)));
-    const RigidContact::Equilibrium pads = rigid.project(rigid.data().penetration);
+    RigidBodyModel rigid(onLines(rows, (Vector(2) << 1.0, 0.0).finished(), Vector::Constant(2, -way * slope)));
+    const RigidBodyModel::Equilibrium pads = rigid.project(rigid.data().penetration);
     TEST_ASSERT(pads.found);
     TEST_FLOATING_EQUALITY(pads.force(0), 0.5 / slope, 1e-7);
     TEST_FLOATING_EQUALITY(pads.force(1), 0.5 / slope, 1e-7);
@@ -117,27 +117,27 @@ TEUCHOS_UNIT_TEST(RigidContact, ABodyThatBouncesBetweenWallsIsBroughtToRest) {
 }
 
 /// The body has moved further than necessary: if the way back is free it returns to its start, or to the wall that stops it.
-TEUCHOS_UNIT_TEST(RigidContact, LeastMotionGoesBackAsFarAsWallsAllow) {
+TEUCHOS_UNIT_TEST(RigidBodyModel, LeastMotionGoesBackAsFarAsWallsAllow) {
   Matrix rows(2, 2);
   rows << 0, 1,  // carries
       1, 0;      // a wall
-  const RigidContact rigid(onLines(rows, (Vector(2) << 0, 1).finished(), Vector::Constant(2, -1.0)));
+  const RigidBodyModel rigid(onLines(rows, (Vector(2) << 0, 1).finished(), Vector::Constant(2, -1.0)));
   const Vector motion = (Vector(2) << 5.0, 3.0).finished();
   const Vector back = rigid.leastMotion({1, 0}, motion, (Vector(2) << 0.0, -7.0).finished());
   TEST_COMPARE(std::abs(back(0)), <, 1e-12);
   TEST_FLOATING_EQUALITY(back(1), 3.0, 1e-12);
   Matrix barred = rows;
   barred(1, 0) = -1.0;  // the wall lies behind it, 2 away
-  const Vector half = RigidContact(onLines(barred, (Vector(2) << 0, 1).finished(), Vector::Constant(2, -1.0)))
+  const Vector half = RigidBodyModel(onLines(barred, (Vector(2) << 0, 1).finished(), Vector::Constant(2, -1.0)))
                           .leastMotion({1, 0}, motion, (Vector(2) << 0.0, -2.0).finished());
   TEST_FLOATING_EQUALITY(half(0), 3.0, 1e-12);
   TEST_FLOATING_EQUALITY(half(1), 3.0, 1e-12);
 }
 
-TEUCHOS_UNIT_TEST(RigidContact, ScalesAreThoseOfTheOwnCluster) {
-  RigidContact::Pairs pairs = onLines(Matrix::Identity(3, 3), Vector::Ones(3), Vector::Zero(3));
+TEUCHOS_UNIT_TEST(RigidBodyModel, ScalesAreThoseOfTheOwnCluster) {
+  RigidBodyModel::Pairs pairs = onLines(Matrix::Identity(3, 3), Vector::Ones(3), Vector::Zero(3));
   pairs.bodies = {{0, 1}, {1, 2}, {3, 4}};
-  const RigidContact rigid(pairs);
+  const RigidBodyModel rigid(pairs);
   const Vector values = (Vector(3) << 5.0, -1e-3, 1e-9).finished();
   const Vector joined = rigid.clusterScale({1, 1, 1}, values), apart = rigid.clusterScale({1, 0, 1}, values);
   TEST_EQUALITY(joined(0), 5.0);
@@ -147,13 +147,13 @@ TEUCHOS_UNIT_TEST(RigidContact, ScalesAreThoseOfTheOwnCluster) {
 }
 
 // A ball falls on a plane: 400 pairs in any order give the same pads, as soft as a disc of as many nodes (Boussinesq).
-TEUCHOS_UNIT_TEST(RigidContact, PadsOnASurfaceDoNotDependOnTheOrderOfPairs) {
+TEUCHOS_UNIT_TEST(RigidBodyModel, PadsOnASurfaceDoNotDependOnTheOrderOfPairs) {
   const int n = 20;
   std::vector<int> order(n * n);
   for (int i = 0; i < n * n; ++i) order[i] = (i * 161 + 7) % (n * n);
   std::vector<ClosedSet> sets;
   for (const bool mixed : {false, true}) {
-    RigidContact::Pairs pairs = onLines(Matrix::Ones(n * n, 1), Vector::Constant(1, 4.0), Vector::Zero(n * n));
+    RigidBodyModel::Pairs pairs = onLines(Matrix::Ones(n * n, 1), Vector::Constant(1, 4.0), Vector::Zero(n * n));
     pairs.line.assign(n * n, 0);
     pairs.surfaces = true;
     for (int i = 0; i < n * n; ++i) {
@@ -161,7 +161,7 @@ TEUCHOS_UNIT_TEST(RigidContact, PadsOnASurfaceDoNotDependOnTheOrderOfPairs) {
       const double x = at % n - 9.5, y = at / n - 9.5;
       pairs.penetration(i) = -0.02 * (x * x + y * y);
     }
-    RigidContact rigid(pairs);
+    RigidBodyModel rigid(pairs);
     const ClosedSet found = rigid.start();
     ClosedSet set(found.size());
     for (int i = 0; i < n * n; ++i) set[mixed ? order[i] : i] = found[i];
@@ -175,7 +175,7 @@ TEUCHOS_UNIT_TEST(RigidContact, PadsOnASurfaceDoNotDependOnTheOrderOfPairs) {
 }
 
 // A column of bodies: each pad carries the weight of all bodies above it, whatever the gaps. More bodies than the dense model is used for.
-TEUCHOS_UNIT_TEST(RigidContact, CarriesAColumnOfManyBodies) {
+TEUCHOS_UNIT_TEST(RigidBodyModel, CarriesAColumnOfManyBodies) {
   for (const int bodies : {10, 59, 61, 150}) {
     Matrix rows = Matrix::Zero(bodies, bodies);
     Vector gaps(bodies);
@@ -184,8 +184,8 @@ TEUCHOS_UNIT_TEST(RigidContact, CarriesAColumnOfManyBodies) {
       if (i > 0) rows(i, i - 1) = -1.0;
       gaps(i) = 0.01 * ((7 * i) % 5 - 1);
     }
-    RigidContact rigid(onLines(rows, Vector::Ones(bodies), -gaps));
-    const RigidContact::Equilibrium found = rigid.project(-gaps);
+    RigidBodyModel rigid(onLines(rows, Vector::Ones(bodies), -gaps));
+    const RigidBodyModel::Equilibrium found = rigid.project(-gaps);
     TEST_ASSERT(found.found);
     for (int i = 0; i < bodies; ++i) TEST_FLOATING_EQUALITY(found.force(i), double(bodies - i), 1e-7);
     double place = 0.0;  // each pad is compressed by its force times its compliance
@@ -201,13 +201,13 @@ TEUCHOS_UNIT_TEST(RigidContact, CarriesAColumnOfManyBodies) {
     for (int i = 0; i < bodies; ++i)  // the bodies above the open pad move together
       TEST_FLOATING_EQUALITY(std::abs(loose(i, 0)) + 1.0, 1.0 + (i < bodies / 2 ? 0.0 : 1.0 / std::sqrt(bodies - bodies / 2)), 1e-10);
     // Pulled upwards, nothing holds the bodies.
-    TEST_ASSERT(!RigidContact(onLines(rows, -Vector::Ones(bodies), -gaps)).project(-gaps).found);
+    TEST_ASSERT(!RigidBodyModel(onLines(rows, -Vector::Ones(bodies), -gaps)).project(-gaps).found);
   }
 }
 
 /// Rows of a block's corners on a plane: motions are three displacements and three rotations about the middle of its lower side.
-TEUCHOS_UNIT_TEST(RigidContact, StatesOfPairsLeaveTheMotionsThatTheyDoNotHold) {
-  RigidContact::Pairs pairs;
+TEUCHOS_UNIT_TEST(RigidBodyModel, StatesOfPairsLeaveTheMotionsThatTheyDoNotHold) {
+  RigidBodyModel::Pairs pairs;
   pairs.rows = Matrix::Zero(4, 6);
   pairs.tangents.assign(2, Matrix::Zero(4, 6));
   for (int i = 0; i < 4; ++i) {
@@ -222,7 +222,7 @@ TEUCHOS_UNIT_TEST(RigidContact, StatesOfPairsLeaveTheMotionsThatTheyDoNotHold) {
   pairs.line.assign(4, 0);
   pairs.canChange.assign(4, 1);
   pairs.surfaces = true;
-  const RigidContact rigid(pairs);
+  const RigidBodyModel rigid(pairs);
   const ContactState open, slip(PairStatus::Slip, {0, 1, 0}, 1.0), stick(PairStatus::Stick);
   ContactState guided(PairStatus::Slip, {0, 1, 0}, 1.0);
   guided.transverseStiffness = 2.0;
