@@ -38,14 +38,14 @@ std::string ending(const Run& run, double largestDisplacement) {
   line += format(", residual %.1e; ", answer.residual);
   if (run.size.pairs > 0) {
     const ContactFigures contact = contactFigures(answer, run.size.pieces);
-    line += format("%d of %d pairs closed, largest gap %.3e %s, largest pressure %.2e %s", contact.active, contact.pairs, contact.maxGap,
-                   units.length.c_str(), contact.maxPressure, units.stress.c_str());
+    line += grouped(contact.active) + " of " + counted(contact.pairs, "pair") +
+            format(" closed, largest gap %.3e %s, largest pressure %.2e %s", contact.maxGap, units.length.c_str(), contact.maxPressure,
+                   units.stress.c_str());
     if (const FrictionFigures& friction = contact.friction; friction.pairs > 0) {
-      line += format(", %d stick, %d slip", friction.sticking, friction.slipping);
+      line += ", " + grouped(friction.sticking) + " stick, " + grouped(friction.slipping) + " slip";
       if (friction.bound > 0.0) line += format(", friction mobilised up to %.0f %%", 100 * friction.maxMobilisation);
     }
-    if (contact.touching > 0)
-      line += format(", %s without force", contact.touching == 1 ? "1 touches" : format("%d touch", contact.touching).c_str());
+    if (contact.touching > 0) line += ", " + grouped(contact.touching) + (contact.touching == 1 ? " touches" : " touch") + " without force";
   } else {
     line += format("largest displacement %.3e %s", largestDisplacement, units.length.c_str());
   }

@@ -48,6 +48,18 @@ TEUCHOS_UNIT_TEST(Console, FooterCountsThePairsThatStickAndSlip) {
               std::string::npos);
 }
 
+TEUCHOS_UNIT_TEST(Console, FooterGroupsTheDigitsOfCounts) {
+  sample::SampleRun sample("unused");
+  sample.rub();
+  if (sample.comm_->getRank() == 0) sample.solution_.pairs.resize(1504, sample.solution_.pairs[1]);  // closed, sticks
+  std::ostringstream console;
+  const RunFigures figures = runFigures(sample.run());
+  if (sample.comm_->getRank() != 0) return;
+  printFooter(console, sample.run(), figures);
+  TEST_ASSERT(console.str().find("; 1,503 of 1,504 pairs closed, ") != std::string::npos);
+  TEST_ASSERT(console.str().find(", 1,502 stick, 1 slip, ") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(Console, FooterPrintsTheKnownErrors) {
   sample::SampleRun sample("unused");
   sample.solution_.errors = {{"displacement_l2", 1.25e-5}, {"displacement_l2_relative", 0.00123}, {"pressure_l2", 2.0}};
