@@ -50,7 +50,7 @@ def main():
     difference = list(difflib.unified_diff(file.read_text().splitlines(), page.splitlines(), "doc/parameters.md", "suture_schema", lineterm=""))
     if difference:
         print("\n".join(difference))
-        print("doc/parameters.md is not what the program says; renew it: python3 doc/parameters.py build/drivers/suture_schema > doc/parameters.md")
+        print("doc/parameters.md differs from the output of suture_schema; renew it: python3 doc/parameters.py build/drivers/suture_schema > doc/parameters.md")
     return 1 if difference else 0
 
 

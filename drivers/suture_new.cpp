@@ -1,15 +1,18 @@
-// Creates a scene file that runs from a geometry or mesh: lists its groups, identifies its bodies, and proposes contacts between sides that
-// face each other.
+// Writes a scene file for a geometry or mesh: lists its groups, identifies its bodies, and proposes contacts between sides that face each
+// other. The scene can be solved as it is.
 #include <CLI/CLI.hpp>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/reader/MeshReader.hpp>
+#include <suture/report/Format.hpp>
 #include <suture/report/SceneSchema.hpp>
 
 #include "new/SceneText.hpp"
@@ -27,7 +30,7 @@ const std::vector<std::string> models{"Plane Strain", "Plane Stress", "Axisymmet
 struct Options {
   std::string geometry, output, model, units = "m, N, Pa";
   std::vector<std::string> constants;
-  bool force = false;
+  bool force = false, unitsGiven = false;
 
   std::optional<int> parse(int argc, char* argv[]) {
     const auto describe = [&](CLI::App& app) {
@@ -41,12 +44,15 @@ struct Options {
           ->check([](const std::string& text) {
             return text.find('=') == std::string::npos ? "found '" + text + "', expected NAME=VALUE" : std::string();
           });
-      app.add_option("--units", units, "Names of the units of length, force and stress, for printing; numbers are never converted")
+      app.add_option("--units", units,
+                     "Names of the units of length, force and stress, for output; nothing is converted: all numbers must be in these units")
           ->type_name("NAMES")
-          ->capture_default_str();
+          ->capture_default_str()
+          ->each([this](const std::string&) { unitsGiven = true; });
       app.add_flag("--force", force, "Overwrite an existing scene file");
     };
-    return parseCommandLine(argc, argv, "suture_new", "Creates a scene that runs from a geometry or mesh.", describe);
+    return parseCommandLine(argc, argv, "suture_new",
+                            "Writes a scene for a geometry or mesh. It can be solved as it is; placeholders are marked FILL IN.", describe);
   }
 };
 
@@ -97,12 +103,27 @@ void write(const fs::path& output, const std::string& text) {
   if (!file) throw EnvironmentError("cannot write '" + output.string() + "'");
 }
 
-std::string counted(std::size_t count, const std::string& what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); }
+/// A hint if the default units make a body as large as a building: most drawings are in mm.
+std::string unitsHint(const NewScene& scene) {
+  constexpr double kLarge = 10.0;  // m
+  std::size_t largest = 0;
+  std::vector<double> sizes;
+  for (const auto& [low, high] : scene.boxes) {
+    const Point edges = minus(high, low);
+    sizes.push_back(std::max({edges[0], edges[1], edges[2]}));
+    if (sizes.back() > sizes[largest]) largest = sizes.size() - 1;
+  }
+  if (sizes.empty() || sizes[largest] <= kLarge) return "";
+  return "   note: '" + scene.bodies.names[largest] + "' is " + format("%g", sizes[largest]) +
+         " m long in the default units (m, N, Pa). If the geometry is in mm, add: --units \"mm, N, MPa\" --force\n";
+}
 
-void tell(std::ostream& out, const NewScene& scene, const fs::path& output) {
+void tell(std::ostream& out, const NewScene& scene, const fs::path& output, bool unitsGiven) {
   const std::string sides = scene.dimension == 2 ? "curve group" : "surface group";
-  out << output.string() << ": " << (scene.bodies.names.size() == 1 ? "1 body" : std::to_string(scene.bodies.names.size()) + " bodies")
-      << ", " << counted(scene.groups.size(), sides) << ", " << counted(scene.contacts.all.size(), "contact") << " proposed\n";
+  out << output.string() << ": "
+      << (scene.bodies.names.size() == 1 ? "1 body" : grouped(static_cast<long long>(scene.bodies.names.size())) + " bodies") << ", "
+      << counted(static_cast<long long>(scene.groups.size()), sides) << ", "
+      << counted(static_cast<long long>(scene.contacts.all.size()), "contact") << " proposed\n";
   for (const proposal::Contact& contact : scene.contacts.all)
     out << "   contact: " << joinNames(contact.sideA) << " on " << joinNames(contact.sideB) << ", " << distanceText(contact) << "\n";
   for (const proposal::Contact& contact : scene.contacts.all)
@@ -118,6 +139,7 @@ void tell(std::ostream& out, const NewScene& scene, const fs::path& output) {
   for (const std::string& body : supports.loose)
     out << "   note: body '" << body << "' has no " << sides
         << ": it cannot be held, and the scene does not run yet. Name one of its sides\n";
+  if (!unitsGiven) out << unitsHint(scene);
   out << "   next: replace the placeholders marked FILL IN, then run: suture_solve " << output.string() << std::endl;
 }
 
@@ -137,7 +159,7 @@ ExitCode run(const CommPtr& comm, const Options& options) {
     write(output, sceneText(made));
     return made;
   });
-  if (std::ostream* out = consoleOf(*comm, false)) tell(*out, scene, output);
+  if (std::ostream* out = consoleOf(*comm, false)) tell(*out, scene, output, options.unitsGiven);
   return ExitCode::Done;
 }
 

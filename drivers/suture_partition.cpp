@@ -12,6 +12,7 @@
 #include <suture/base/Timers.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/reader/Hdf5Mesh.hpp>
+#include <suture/report/Format.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/simulation/CutStage.hpp>
 #include <suture/simulation/ReadStage.hpp>
@@ -40,7 +41,8 @@ struct Options {
     const auto describe = [&](CLI::App& app) {
       app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->required()->type_name("FILE");
       app.add_option("--output", output, "Mesh file to write (.h5)")->required()->type_name("FILE")->check(endsWithH5);
-      app.add_option("--groups", groups, "Name of the subdomains in the file: <name>_0000, <name>_0001, ...")->capture_default_str();
+      app.add_option("--groups", groups, "Prefix of the subdomains' names in the file: <prefix>_0000, <prefix>_0001, ...")
+          ->capture_default_str();
       app.add_flag("--no-cut", noCut, "Write the mesh without subdomains");
       addSetOption(app, overrides, "Change a parameter of the scene");
       app.add_flag("--quiet", quiet, "Print errors only");
@@ -60,7 +62,7 @@ std::string numbered(const std::string& name, int i) {
 void checkGroups(const Mesh& mesh, const std::string& name) {
   for (const std::string& group : mesh.elementGroupNames())
     if (group.rfind(name + "_", 0) == 0)
-      throw InputError("--groups", "the mesh has an element group '" + group + "'; expected another name than '" + name + "'");
+      throw InputError("--groups", "the mesh has an element group '" + group + "'; expected another prefix than '" + name + "'");
 }
 
 void addGroups(Mesh& mesh, const Partition& partition, const std::string& name) {
@@ -93,7 +95,7 @@ ExitCode run(const CommPtr& comm, const Options& options) {
     writeHdf5Mesh(*comm, mesh, options.output);
   }
   if (console) {
-    *console << options.output << ": " << elements << " elements";
+    *console << options.output << ": " << counted(elements, "element");
     if (!options.noCut)
       *console << ", subdomains " << options.groups
                << "_*: use it with Mesh/File = this file and Partition/Type = Partitioned Mesh in this scene, or with Named Groups and "

@@ -42,12 +42,14 @@ int main(int argc, char* argv[]) {
   std::vector<std::string> plugins;
   bool study = false;
   const auto describe = [&](CLI::App& app) {
-    app.add_option("--format", format, "text | xml (a scene that runs, with all defaults) | markdown")
+    app.add_option("--format", format, "text (default) | xml (a scene that can be solved, with all defaults) | markdown")
         ->check(CLI::IsMember({"text", "xml", "markdown"}));
-    app.add_flag("--study", study, "Parameters of a study instead of a scene");
+    app.add_flag("--study", study, "Print the parameters of a study instead of a scene");
     suture::addPluginOption(app, plugins);
   };
-  if (const auto end = suture::parseCommandLine(argc, argv, name, "The documented parameters of a Suture scene.", describe)) return *end;
+  if (const auto end = suture::parseCommandLine(
+          argc, argv, name, "Prints the parameters of a scene or of a study, with meaning, range and default.", describe))
+    return *end;
   try {
     suture::loadPlugins(plugins);
     return suture::printed(name, study ? suture::study::studySchema().document(format) : suture::sceneSchema().document(format, scene));

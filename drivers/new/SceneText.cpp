@@ -126,7 +126,7 @@ void listGroups(Writer& out, const NewScene& scene) {
     out.line(inComment("  " + (sideWord(scene) + "   ").substr(0, 8) + group.name + "  " +
                        (group.body >= 0 ? "on " + scene.bodies.names[group.body] : std::string("on several bodies")) + ", from " +
                        place(group.low) + " to " + place(group.high) + ", " + std::to_string(group.sides) +
-                       (scene.dimension == 2 ? " sides, length " : " sides, area ") + number(group.size)));
+                       (scene.dimension == 2 ? " element edges, length " : " element faces, area ") + number(group.size)));
   out.line("-->");
 }
 
@@ -222,9 +222,9 @@ void conditions(Writer& out, const NewScene& scene) {
   if (!supports.soft.empty()) {
     out.comment(
         "FILL IN: placeholder for the supports of " + joinNames(supports.softBodies) +
-        ", since contact alone holds no body in every direction: springs on all their sides, a thousandth as stiff as the bodies. "
-        "Remove the groups of a body once it has its own conditions. Keep the springs of a body that only contact holds: they determine "
-        "where it slides.");
+        ": springs on all their sides, a thousandth as stiff as the bodies, because contact alone does not hold a body in every direction. "
+        "Remove the groups of a body once it has its own conditions. Keep the springs of a body that is held only by contact: they "
+        "determine its position.");
     out.open(given.unique("soft springs"));
     if (supports.soft.size() == 1)
       out.parameter("Group", "string", supports.soft[0]);
@@ -252,11 +252,11 @@ void conditions(Writer& out, const NewScene& scene) {
   };
   const auto down = [&](double value) { return vector({0, scene.dimension == 2 ? value : 0, value}, scene.dimension); };
   const std::string group = entry("Group", "string", "..."), value = "Value", reals = "Array(double)";
-  kind("roller", "alternative: a roller (zero normal displacement, free to slide)", {group, entry("Type", "string", "Bilateral")});
+  kind("roller support", "alternative: a roller (zero normal displacement, free to slide)", {group, entry("Type", "string", "Bilateral")});
   kind("pressure", "alternative: a pressure (positive values push into the body)",
        {group, entry("Type", "string", "Pressure"), entry(value, reals, "{" + number(scene.units.pressure()) + "}")});
   kind("traction", "alternative: a traction (force per area)",
-       {group, entry("Type", "string", "Traction"), entry(value, reals, down(scene.units.pressure()))});
+       {group, entry("Type", "string", "Traction"), entry(value, reals, down(-scene.units.pressure()))});
   kind("weight", "alternative: a weight (force per volume; Body restricts it to one body)",
        {entry("Type", "string", "Body Force"), entry(value, reals, down(-scene.units.weight()))});
   out.close();
@@ -307,8 +307,7 @@ std::string sceneText(const NewScene& scene) {
   out.space();
   out.parameter("Title", "string", scene.title);
   out.parameter("Model", "string", scene.model, scene.dimension == 2 ? "Plane Strain | Plane Stress | Axisymmetric" : "");
-  out.parameter("Units", "string", scene.units.names(),
-                "FILL IN: names for printing, never converted; all numbers of the scene are in these");
+  out.parameter("Units", "string", scene.units.names(), "FILL IN: names for output; nothing is converted: give all numbers in these units");
   out.space();
   out.open("Mesh");
   out.parameter("File", "string", scene.file);

@@ -23,6 +23,9 @@ std::optional<int> Options::parse(int argc, char* argv[]) {
     app.add_flag("--continue", goOn, "Continue an interrupted study; keeps the finished runs in its output folder");
     app.add_flag("--quiet", quiet, "Print only errors and missed bands");
     addPluginOption(app, plugins);
+    app.footer(
+        "Exit codes: 0 done, 2 command line, 3 input, 4 a run failed or a band was missed, 5 environment (memory, files, libraries),\n"
+        "70 a bug in Suture, 75 stopped on request.");
   };
   const auto end =
       parseCommandLine(argc, argv, "suture_study", "Runs a scene with different values of its parameters and writes one table.", describe);

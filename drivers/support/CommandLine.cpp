@@ -34,6 +34,7 @@ std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& n
   CLI::App app(purpose, name);
   app.set_version_flag("--version", name + " " + version() + " (" + commit() + ")", "Print version and commit");
   app.get_formatter()->column_width(34);
+  app.footer("Exit codes: 0 done, 2 command line, 3 input, 5 environment (memory, files, libraries), 70 a bug in Suture.");
   describe(app);
   try {
     app.parse(argc, argv);

@@ -14,7 +14,8 @@ namespace suture {
 
 /// Parses the command line of a driver before MPI starts. Handles `--help` and `--version`, and refuses wrong options with the nearest
 /// name. Prints once, independent of the number of processes.
-/// \param describe  adds the program's own options and arguments
+/// \param describe  adds the program's own options and arguments, and its exit codes as the footer of --help if it has others than 0, 2, 3,
+/// 5 and 70
 /// \return the exit code if the program ends here (0, 2, or 5: standard output could not be written), otherwise nothing. Local.
 std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& name, const std::string& purpose,
                                     const std::function<void(CLI::App&)>& describe);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <suture/report/Console.hpp>
+#include <suture/report/Format.hpp>
 
 #include "Program.hpp"
 
@@ -22,7 +23,7 @@ void printSizes(const Comm& comm, const Simulation& simulation, const SolveOptio
 
 void printChecked(const Comm& comm, const Simulation& simulation) {
   if (std::ostream* console = consoleOf(comm, false))
-    *console << "   about " << static_cast<long>(std::ceil(simulation.megabytes())) << " MB of memory for a run\n"
+    *console << "   about " << grouped(static_cast<long>(std::ceil(simulation.megabytes()))) << " MB of memory for a run\n"
              << "   no errors found; not solved (--check)" << std::endl;
 }
 

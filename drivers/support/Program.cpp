@@ -21,6 +21,7 @@
 #include <suture/base/Memory.hpp>
 #include <suture/base/hdf5/Hdf5File.hpp>
 #include <suture/report/Console.hpp>
+#include <suture/report/Format.hpp>
 #include <thread>
 #include <vector>
 
@@ -81,8 +82,6 @@ void print(const std::string& message) {
   std::_Exit(int(code));
 }
 
-std::string plural(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
-
 // Indents all lines after the first.
 std::string indented(const std::string& text) {
   std::string result;
@@ -96,7 +95,8 @@ std::string indented(const std::string& text) {
 }
 
 std::string inputErrors(const std::string& name, const std::string& subject, const std::vector<Problem>& problems) {
-  std::string text = name + ": " + plural(problems.size(), "error") + (subject.empty() ? "" : " in " + subject) + "\n";
+  std::string text =
+      name + ": " + counted(static_cast<long long>(problems.size()), "error") + (subject.empty() ? "" : " in " + subject) + "\n";
   constexpr std::size_t most = 100;
   for (std::size_t i = 0; i < std::min(most, problems.size()); ++i) {
     const Problem& problem = problems[i];

@@ -14,28 +14,34 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
   const auto describe = [&](CLI::App& app) {
     CLI::Option* file = app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->type_name("FILE");
     CLI::Option* set = addSetOption(app, overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"");
-    app.add_option("--output", output, "Output folder; overrides Output/Folder of the scene")->type_name("DIR");
+    app.add_option("--output", output, "Output folder; default: Output/Folder of the scene, or <scene>_out in the current folder")
+        ->type_name("DIR");
     CLI::Option* from = app.add_option("--restart", restart,
                                        "Start from the checkpoint.h5 of a run on the same mesh: an unfinished run, or an earlier load step")
                             ->type_name("FILE");
-    CLI::Option* look = app.add_flag("--check", check, "Read the scene, cut the mesh and print the sizes without solving");
+    CLI::Option* look = app.add_flag("--check", check, "Read the scene, partition the mesh, and print sizes and memory without solving");
     CLI::Option* print = app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults and stop");
-    CLI::Option* silent = app.add_flag("--quiet", quiet, "Print errors only");
-    app.add_flag("--verbose", verbose, "Also print the inner iterations")->excludes(silent);
+    app.add_flag("--quiet", quiet, "Print errors only");
+    app.add_flag("--verbose", verbose, "Also print the inner iterations; not together with --quiet");
     CLI::Option* plugin = addPluginOption(app, plugins);
-    CLI::Option* severe = app.add_flag("--strict", strict, "Treat warnings (something was repaired or assumed) as errors");
+    CLI::Option* severe = app.add_flag("--strict", strict, "Treat warnings as errors (exit code 3)");
     CLI::Option* repeat = app.add_option("--again", again,
                                          "Repeat the run recorded in a summary.json, instead of SCENE, and compare the results; default of "
                                          "--output: the folder of that run with '_again'")
                               ->type_name("FILE");
+    app.footer(
+        "Exit codes: 0 converged and verified, 2 command line, 3 input, 4 not converged or not verified, 5 environment (memory, files,\n"
+        "libraries), 70 a bug in Suture, 75 stopped on request. Without solving: 0 done.");
     app.callback([=] {
+      if (quiet && verbose) throw CLI::ExcludesError("--verbose", "--quiet");
       if (scene.empty() && again.empty()) throw CLI::RequiredError("SCENE");
       for (const CLI::Option* other : {file, set, from, look, print, plugin, severe})
         if (!again.empty() && other->count() > 0) throw CLI::ExcludesError(other->get_name(), repeat->get_name());
     });
   };
-  const auto end = parseCommandLine(argc, argv, "suture_solve",
-                                    "Equilibrium of elastic bodies in unilateral contact, by domain decomposition.", describe);
+  const auto end =
+      parseCommandLine(argc, argv, "suture_solve",
+                       "Solves a scene: equilibrium of elastic bodies in unilateral contact, by domain decomposition.", describe);
   if (!output.empty()) overrides.push_back("Output/Folder=" + output);
   return end;
 }

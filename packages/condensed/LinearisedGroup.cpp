@@ -39,8 +39,9 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
       diagonal_(size()) {
   if (held_.kernel().cols() > 0) {
     std::ostringstream text;
-    text << name() << ": " << held_.kernel().cols()
-         << " rigid-body mode(s) are held neither by the group's boundary nor by its closed pairs";
+    const bool isOne = held_.kernel().cols() == 1;
+    text << name() << ": " << held_.kernel().cols() << (isOne ? " rigid-body mode is" : " rigid-body modes are")
+         << " held neither by the group's boundary nor by its closed pairs";
     throw NumericalError(text.str());
   }
   atRest_ = group.respondLinear(Vector::Zero(size()), held_);

@@ -87,7 +87,9 @@ std::string whySingular(const InterfaceOperator& withoutContact) {
       }
     }
     const Eigen::Index motions = commonRigidMotions(parts).cols();
-    if (motions > 0) why = "subdomains have " + std::to_string(motions) + " rigid motion(s) that only contact groups hold";
+    if (motions > 0)
+      why = "subdomains have " + std::to_string(motions) + (motions == 1 ? " rigid motion" : " rigid motions") +
+            " that only contact groups prevent";
   });
   return broadcast(*comm, why);
 }

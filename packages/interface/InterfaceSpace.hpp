@@ -75,7 +75,7 @@ class InterfaceSpace {
   /// The relations that this rank sees, in an order independent of the rank.
   const std::vector<InterfaceRelation>& relations() const { return relations_; }
   /// The space without relations of several terms, and without relations of one term that use an unknown of these: expressed unknowns of a
-  /// mortar are free, and only local problems of their own body share them. Null if this rank sees no such relation, because the space
+  /// mortar are free, and only the local problems of the same body share them. Null if this rank sees no such relation, because the space
   /// would be the same.
   const std::shared_ptr<const InterfaceSpace>& broken() const { return broken_; }
   /// True if a relation is missing in the broken space.

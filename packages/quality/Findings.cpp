@@ -54,9 +54,11 @@ constexpr Name kNames[kQuantities] = {
 
 std::string nameOf(Quantity quantity) { return kNames[std::size_t(quantity)].name; }
 
-std::string adviceOf(Quantity quantity, bool byMonolithic) {
+std::string adviceOf(Quantity quantity, bool byMonolithic, bool converged) {
   const char* advice = kNames[std::size_t(quantity)].advice;
-  return byMonolithic && (advice == kTighter || advice == kContact || advice == kFriction) ? kOther : advice;
+  const bool isOnSolver = advice == kTighter || advice == kContact || advice == kFriction;
+  if (isOnSolver && !converged) return "";
+  return isOnSolver && byMonolithic ? kOther : advice;
 }
 
 double doubtOf(Quantity quantity) {

@@ -60,8 +60,9 @@ struct Finding {
 std::string nameOf(Quantity quantity);
 /// Value above which a run warns although the quantity is within its bound; infinite: never.
 double doubtOf(Quantity quantity);
-/// Advice if the bound is exceeded. \param byMonolithic  the solution is that of Monolithic
-std::string adviceOf(Quantity quantity, bool byMonolithic = false);
+/// Advice if the bound is exceeded; empty for advice on the solver if `converged` is false.
+/// \param byMonolithic  the solution is that of Monolithic
+std::string adviceOf(Quantity quantity, bool byMonolithic = false, bool converged = true);
 /// Body or pair, with position and names; empty if nothing was found.
 std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces,
                       int dimension);
@@ -69,9 +70,10 @@ std::string whereText(const Finding& finding, const std::vector<std::string>& bo
 /// The worst finding of each quantity.
 class Findings {
  public:
-  /// \param size  measured value;  \param allowed  bound in the same unit;  \param scale  reference value for both, if positive
+  /// \param size  measured value;  \param allowed  bound in the same unit;  \param scale  reference value for both. If round-off makes the
+  /// bound larger than the scale, as for a body that only moves rigidly, the bound is the reference value.
   void take(Quantity quantity, double size, double allowed, double scale, Finding where) {
-    const double unit = scale > 0.0 ? scale : allowed > 0.0 ? allowed : 1.0;
+    const double unit = scale > allowed ? scale : allowed > 0.0 ? allowed : 1.0;
     where.value = size / unit;
     where.bound = allowed / unit;
     where.made = true;
@@ -126,7 +128,7 @@ struct Bound {
 };
 
 /// Bounds of the quantities. The tolerance refers to the energy norm, in which rough errors count less than in sums of nodal forces: the
-/// factors are about ten times the values measured for correct solutions (README.md).
+/// factors are 2 (contact) to 100 (forces) times the largest values measured for correct solutions (doc/verification.md).
 struct Bounds {
   static constexpr Bound resultant{100.0, 0.05}, residual{1000.0, 0.3}, node{100.0, 0.05}, contact{1000.0, 1.0}, pair{100.0, 0.05};
   static constexpr double rounding = 4.0;  ///< times eps |K| |u|

@@ -41,7 +41,7 @@ std::string Verification::failure() const {
     if (check.holds()) continue;
     text += (text.empty() ? "" : "; ") + check.name + " " + number(check.value) + " exceeds " + number(check.bound) +
             (check.where.empty() ? "" : " (" + check.where + ")");
-    if (std::find(advice.begin(), advice.end(), check.advice) == advice.end()) advice.push_back(check.advice);
+    if (!check.advice.empty() && std::find(advice.begin(), advice.end(), check.advice) == advice.end()) advice.push_back(check.advice);
   }
   for (const std::string& sentence : advice) text += ". " + sentence;
   return text;

@@ -14,7 +14,7 @@ struct Check {
   double value = 0.0;  ///< relative to the body's own forces or deformation
   double bound = 0.0;  ///< allowed by the tolerance and by round-off of displacements, relative to the same
   std::string where;   ///< body and position, or pair, position and bodies; empty: nothing to check
-  std::string advice;  ///< remedy if the bound is exceeded
+  std::string advice;  ///< remedy if the bound is exceeded; empty: none
 
   bool holds() const { return value <= bound; }  // false for NaN
 };

@@ -248,11 +248,9 @@ void Verifier::judgeNodes() {
       Point along = rest;  // without directions of contact: checked by Contact and the pairs, and affected by round-off of stiff neighbours
       for (const Point& n : taken[node]) along = minus(along, scaled(dot(along, n), n));
       const double alone = length(along) / stiffness,
-                   allowed =
-                       Bounds::node.at(tolerance_) * std::max({body.deformation, body.lent / stiffness, body.largestNodal / stiffness}) +
-                       rounded;
-      if (findings_.isWorse(Quantity::Nodes, alone, allowed))
-        findings_.take(Quantity::Nodes, alone, allowed, body.deformation, place(int(i), node));
+                   scale = std::max({body.deformation, body.lent / stiffness, body.largestNodal / stiffness}),
+                   allowed = Bounds::node.at(tolerance_) * scale + rounded;
+      if (findings_.isWorse(Quantity::Nodes, alone, allowed)) findings_.take(Quantity::Nodes, alone, allowed, scale, place(int(i), node));
       if (!taken[node].empty())
         findings_.take(Quantity::Contact, length(rest),
                        Bounds::contact.at(tolerance_) * contact + rounded * stiffness + Bounds::contact.ofRounding(body), contact,
@@ -312,7 +310,7 @@ Verification Verifier::conclude() {
     const auto made = unpacker.get<bool>();
     Check check;
     check.name = nameOf(Quantity(q));
-    check.advice = adviceOf(Quantity(q), answer_.byMonolithic);
+    check.advice = adviceOf(Quantity(q), answer_.byMonolithic, answer_.converged);
     unpacker.get(check.value);
     unpacker.get(check.bound);
     unpacker.get(check.where);

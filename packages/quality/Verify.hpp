@@ -33,6 +33,7 @@ struct Answer {
   std::function<std::optional<OwnForces>(int mesh)> own{};
   std::vector<BodyForces> past{};  ///< largest forces on each body on the previous path of load steps; empty: none
   bool byMonolithic = false;       ///< the solution is Monolithic's, which is then not recommended if the verdict fails
+  bool converged = true;           ///< if not, a failing verdict is the consequence: it recommends no other settings of the solver
 };
 
 /// Verifies a solution by loops over elements, conditions and pairs, without any object of the solver. README.md describes the quantities

@@ -203,8 +203,8 @@ std::string tableOf(const Comparison& comparison) {
       nearest = &one;
   }
   if (!comparison.agrees()) return text + "does not agree: " + failureOf(comparison) + "\n";
-  if (comparison.isExact()) return text + format("agrees: all %zu figures to the last bit\n", comparison.figures.size());
-  text += format("agrees: all %zu judged figures", judged);
+  if (comparison.isExact()) return text + format("agrees: all %zu quantities to the last bit\n", comparison.figures.size());
+  text += format("agrees: all %zu compared quantities", judged);
   if (nearest) text += format(", closest to its limit: %s %.1e of %.1e", nearest->name.c_str(), nearest->difference, nearest->allowed);
   return text + "\n";
 }

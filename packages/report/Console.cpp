@@ -9,14 +9,20 @@
 #include <suture/report/Format.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/report/answers/Answers.hpp>
+#include <suture/report/answers/Probes.hpp>
+
+namespace fs = std::filesystem;
 
 namespace suture {
 namespace {
 
+constexpr const char* kFields = "fields_0000.vtkhdf";
+constexpr const char* kCheckpoint = "checkpoint.h5";
+
 std::string titleOf(const SceneFile& scene) {
   const Parameters& all = *scene.parameters;
   const std::string title = all.isType<std::string>("Title") ? all.get<std::string>("Title") : "";
-  return title.empty() ? std::filesystem::path(scene.path).filename().string() : title;
+  return title.empty() ? fs::path(scene.path).filename().string() : title;
 }
 
 // "converged: 3 outer, 22 + 8 PCG, residual 2.0e-09; 87 of 89 pairs closed, ..."
@@ -32,14 +38,14 @@ std::string ending(const Run& run, double largestDisplacement) {
   line += format(", residual %.1e; ", answer.residual);
   if (run.size.pairs > 0) {
     const ContactFigures contact = contactFigures(answer, run.size.pieces);
-    line += format("%d of %d pairs closed, largest gap %.3e %s, largest pressure %.2e %s", contact.active, contact.pairs, contact.maxGap,
-                   units.length.c_str(), contact.maxPressure, units.stress.c_str());
+    line += grouped(contact.active) + " of " + counted(contact.pairs, "pair") +
+            format(" closed, largest gap %.3e %s, largest pressure %.2e %s", contact.maxGap, units.length.c_str(), contact.maxPressure,
+                   units.stress.c_str());
     if (const FrictionFigures& friction = contact.friction; friction.pairs > 0) {
-      line += format(", %d stick, %d slip", friction.sticking, friction.slipping);
+      line += ", " + grouped(friction.sticking) + " stick, " + grouped(friction.slipping) + " slip";
       if (friction.bound > 0.0) line += format(", friction mobilised up to %.0f %%", 100 * friction.maxMobilisation);
     }
-    if (contact.touching > 0)
-      line += format(", %s without force", contact.touching == 1 ? "1 touches" : format("%d touch", contact.touching).c_str());
+    if (contact.touching > 0) line += ", " + grouped(contact.touching) + (contact.touching == 1 ? " touches" : " touch") + " without force";
   } else {
     line += format("largest displacement %.3e %s", largestDisplacement, units.length.c_str());
   }
@@ -104,26 +110,52 @@ std::string estimatedErrors(const Solution& answer) {
   return line + "\n";
 }
 
-// True if no advice is needed: a stopped run only needs more time, and undetermined motions have their own advice.
-bool isAnswered(const Solution& answer) {
-  return answer.stopped || !answer.undetermined.empty() || (answer.converged && answer.verification.holds());
+fs::path fileOf(const Run& run, const std::string& name) { return fs::path(run.folder) / name; }
+
+/// "   to try: ..., from where this run ended: --restart "out/checkpoint.h5" --set "Outer Solver/Maximum Iterations=10"" at the limit.
+std::string moreIterations(const Run& run) {
+  const int limit = run.scene.parameters->sublist("Outer Solver").get<int>("Maximum Iterations");
+  const fs::path checkpoint = fileOf(run, kCheckpoint);
+  if (run.solution.iterations < limit || !fs::exists(checkpoint)) return "";
+  return "   to try: more iterations, from where this run ended: --restart \"" + checkpoint.string() +
+         "\" --set \"Outer Solver/Maximum Iterations=" + std::to_string(10 * std::max(limit, 1)) + "\"\n";
 }
 
-/// Suggestions for a run without a valid solution; excludes the present solver, and all solvers if there is no equilibrium.
+/// Suggestions for a run without a valid solution; excludes the present solver, and all solvers if there is no equilibrium. Empty if no
+/// advice is needed: a stopped run only needs more time, and undetermined motions have their own advice.
 std::string whatToTry(const Run& run) {
   std::string text;
   const Solution& answer = run.solution;
+  if (answer.isValid() || answer.stopped || !answer.undetermined.empty()) return text;
   const bool refused = answer.failure.find("no equilibrium") != std::string::npos;
   const bool rubs =
       std::any_of(answer.pairs.begin(), answer.pairs.end(), [](const PairResult& pair) { return pair.kind.restrictsSliding; });
+  const bool inSteps = !run.steps.empty() || answer.failure.rfind("load step", 0) == 0;
+  if (!answer.converged && !refused && !inSteps) text += moreIterations(run);
   if (!refused && run.scene.parameters->sublist("Outer Solver").get<std::string>("Type") != "Monolithic")
     text +=
-        "   to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor iterations, shows whether the scene is at "
-        "fault\n";
-  const bool inSteps = !run.steps.empty() || answer.failure.rfind("load step", 0) == 0;
+        "   to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor conjugate gradients, shows whether the "
+        "scene is at fault\n";
   if (!answer.converged && !refused && rubs && !inSteps)
     text += "   to try: Load Steps: with friction the solution depends on the load path, and each step starts close to its solution\n";
+  if (fs::exists(fileOf(run, kFields)) || !run.steps.empty())
+    text += "   suture_plot " + run.folder + " draws supports and contacts (scene.png)\n";
   return text + advice("   ");
+}
+
+/// Names of the files that a run may have written, in the order in which the console lists them.
+std::vector<std::string> filesOf(const Run& run) {
+  const Parameters& scene = *run.scene.parameters;
+  const bool isRequested =
+      scene.isSublist("Output") && scene.sublist("Output").isType<bool>("Checkpoint") && scene.sublist("Output").get<bool>("Checkpoint");
+  std::vector<std::string> names{kFields, "contact_0000.vtkhdf"};
+  if (!run.steps.empty()) names = {"fields.vtkhdf.series", "contact.vtkhdf.series", "steps.csv"};
+  // A valid run leaves the checkpoint of an earlier run in place.
+  if (!run.steps.empty() || !run.solution.isValid() || isRequested) names.emplace_back(kCheckpoint);
+  names.insert(names.end(), {"contact.csv", "reactions.csv"});
+  for (const Probe& probe : readProbes(scene, run.model.bodies)) names.push_back(probe.fileName());
+  names.insert(names.end(), {"history.csv", "summary.json"});
+  return names;
 }
 
 }  // namespace
@@ -136,24 +168,19 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
   console << std::endl;
 }
 
-std::string advice(const std::string& indent) {
-  return indent + "scene.png of suture_plot shows supports and contacts; doc/convergence.md lists the causes\n";
-}
+std::string advice(const std::string& indent) { return indent + "doc/convergence.md lists causes and remedies\n"; }
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.monitor, run.solution.verification) << meshError(run.solution) << (isAnswered(run.solution) ? "" : whatToTry(run))
-          << pathWork(run) << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
+          << verdict(run.monitor, run.solution.verification) << meshError(run.solution) << whatToTry(run) << pathWork(run)
+          << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB per rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;
   if (folder.empty() || folder.back() != '/') folder += '/';
   console << "   " << folder;
-  std::vector<std::string> names{"fields_0000.vtkhdf", "contact_0000.vtkhdf"};
-  if (!run.steps.empty()) names = {"fields.vtkhdf.series", "contact.vtkhdf.series", "steps.csv", "checkpoint.h5"};
-  names.insert(names.end(), {"contact.csv", "reactions.csv", "history.csv", "summary.json"});
-  for (const std::string& name : names)
-    if (std::filesystem::exists(std::filesystem::path(run.folder) / name)) console << "  " << name;
+  for (const std::string& name : filesOf(run))
+    if (fs::exists(fileOf(run, name))) console << "  " << name;
   console << std::endl;
 }
 

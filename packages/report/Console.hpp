@@ -11,7 +11,7 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
 /// Last lines of the console: whether and why not converged, contact figures, phases, memory, files. Local; rank 0's stream.
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures);
 
-/// Advice for a run without a valid solution; each line begins with `indent`.
+/// Where to look for advice on a run without a valid solution; the line begins with `indent`.
 std::string advice(const std::string& indent);
 
 }  // namespace suture

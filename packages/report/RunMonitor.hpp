@@ -12,7 +12,7 @@ namespace suture {
 /// Monitor of a run: writes the table to the console (rank 0's `console`; null on other ranks and for --quiet) and collects the rows of
 /// history.csv. Local: every rank has one and collects the same rows.
 ///
-/// A note that begins with "warning: " is a warning: Suture repaired or assumed something.
+/// A note that begins with "warning: " is a warning: something was repaired or assumed, or the result may be inaccurate.
 class RunMonitor : public Monitor {
  public:
   /// \param verbose  also prints the inner iterations

@@ -85,8 +85,9 @@ bool StateSearch::differs(const PairStates& next) const {
   return false;
 }
 
-/// True if the last solution tells little about contact on softly held bodies: their closed pairs bend bodies towards each other, so that
-/// tension balances compression, or, once that has happened, more pairs would close than are closed. \param next  states by the laws
+/// True if the last solution contains little information about contact on softly held bodies: their closed pairs bend bodies towards each
+/// other, so that tension balances compression, or, once that has happened, more pairs would close than are closed. \param next  states by
+/// the laws
 bool StateSearch::areGlued(const PairStates& next) {
   if (!isFrictionless() || !rigid_.soft()) return false;
   const double tension = -answer_.force.col(0).cwiseMin(0.0).sum(), compression = answer_.force.col(0).cwiseMax(0.0).sum();

@@ -174,7 +174,7 @@ void Simulation::followPath() {
     isPrepared = false;
     row.outer += solution.iterations;
     row.pcg += solution.pcgTotal + solution.auxiliary.pcg;
-    const bool isSolved = solution.converged && solution.undetermined.empty() && solution.verification.holds();
+    const bool isSolved = solution.isValid();
     const int stop = solution.stopped || monitor_.stopRequested();
     int anyStop = 0, changed = isSolved && hasBefore ? changedWithin(before.pairs, solution.pairs) : 0;
     Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, stop, Teuchos::outArg(anyStop));

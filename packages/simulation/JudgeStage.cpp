@@ -90,9 +90,10 @@ void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, 
     return OwnForces{subdomains[mesh]->internalForces(solution.displacement[mesh]), subdomains[mesh]->nodalLoads()};
   };
   const double tolerance = requestedAccuracy(scene.settings(), solution);
-  solution.verification = verify(comm, {meshes, scene.model, solution.displacement, solution.pairs, pieces, tolerance, own,
-                                        path ? path->carried() : std::vector<BodyForces>(),
-                                        scene.settings().sublist("Outer Solver").get<std::string>("Type") == "Monolithic"});
+  solution.verification =
+      verify(comm, {meshes, scene.model, solution.displacement, solution.pairs, pieces, tolerance, own,
+                    path ? path->carried() : std::vector<BodyForces>(),
+                    scene.settings().sublist("Outer Solver").get<std::string>("Type") == "Monolithic", solution.converged});
   if ((!path || path->rows.empty()) && hasControlledLoads(scene))
     solution.verification.checks.push_back(targetCheck(comm, scene, meshes, solution));
   collectively(comm, "finding the stresses", [&] {

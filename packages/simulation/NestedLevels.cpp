@@ -1,4 +1,5 @@
 #include <suture/base/Errors.hpp>
+#include <suture/report/Format.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/Overrides.hpp>
@@ -38,7 +39,7 @@ CoarseAnswer solveLevel(const CommPtr& comm, const Scene& level, const CoarseAns
   if (coarser) simulation.startFrom(nestedStart(*comm, *coarser, simulation.meshes()));
   simulation.iterate();
   const Solution& solution = simulation.solution();
-  const std::string elements = std::to_string(simulation.size().elements) + " elements";
+  const std::string elements = counted(simulation.size().elements, "element");
   if (!solution.converged) throw NumericalError("nested start, level of " + elements + ": " + solution.failure);
   monitor.note("nested start: " + elements + ", " + std::to_string(solution.iterations) + " outer, " + std::to_string(solution.pcgTotal) +
                " + " + std::to_string(solution.auxiliary.pcg) + " PCG");

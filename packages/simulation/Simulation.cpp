@@ -227,8 +227,7 @@ void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
 }
 
 ExitCode Simulation::ending() const {
-  const bool done = unfinished_.empty() && solution_.converged && solution_.undetermined.empty() && solution_.verification.holds();
-  return done ? ExitCode::Done : solution_.stopped ? ExitCode::Stopped : ExitCode::Numerical;
+  return unfinished_.empty() && solution_.isValid() ? ExitCode::Done : solution_.stopped ? ExitCode::Stopped : ExitCode::Numerical;
 }
 
 namespace {

@@ -51,6 +51,9 @@ struct Solution : OuterFigures {
   Verification verification;             ///< checks (empty before verify()) and the balance of forces
   Extremes extremes;                     ///< see findExtremes()
   std::map<std::string, double> errors;  ///< against the exact solution of the scene, if any: see exactErrors()
+
+  /// True if the run converged, the verdict holds, and no loaded body is free to move.
+  bool isValid() const { return converged && undetermined.empty() && verification.holds(); }
 };
 
 }  // namespace suture

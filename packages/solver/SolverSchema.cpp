@@ -85,17 +85,19 @@ void addSolverParameters(Schema& scene) {
                   " does not fit the Formulation, its default solver is used.")
       .fittingDefault([](const Parameters& whole) { return fittingSolver(whole, usual); });
   outer.choice("Start", "Rigid Bodies",
-               {{"Rigid Bodies", Schema("Rigid bodies on unilateral elastic pads, without a linear solve. For Active Set and Monolithic; "
-                                        "other methods start as Bilateral.")},
+               {{"Rigid Bodies", Schema("Rigid bodies on unilateral elastic pads, without a linear solve. For Active Set, Monolithic and "
+                                        "Semismooth Newton; other methods start as Bilateral.")},
                 {"Bilateral", Schema("Solution with all pairs closed, the auxiliary problem of the paper.")},
                 {"Nested", Schema("Solution on a sequence of coarser meshes.")
                                .texts("Levels", std::nullopt,
                                       "One text per level, the coarsest first: changes to this scene in the syntax of --set, separated by "
                                       "semicolons: \"Mesh/Constants/scale=2; Partition/METIS/Subdomains=12\".")}},
                "Initial state of the outer solver.");
-  outer.wordOrNumber("Tolerance", "1e-8", {"Automatic"}, {0.0, 1.0, true, true, {}},
-                     "Bound of the preconditioned residual norm, relative to that of the lifted start. Automatic: iterations stop when the "
-                     "algebraic error is a tenth of the estimated discretisation error (energy norm), or at 1e-8.");
+  outer.wordOrNumber(
+      "Tolerance", "1e-8", {"Automatic"}, {0.0, 1.0, true, true, {}},
+      "Bound of the residual in the preconditioner's norm, relative to the energy norm of the solution (Active Set, Semismooth "
+      "Newton) or to the residual of the start with all pairs closed (other methods). Automatic: iterations stop when the "
+      "algebraic error is a tenth of the estimated discretisation error (energy norm), or at 1e-8.");
   outer.oneOf(
       "Neutral Motions", "Refuse", {"Refuse", "Least"},
       "Treatment of a solution in which a loaded body can slide or turn freely after pairs have opened, so that its position is not "

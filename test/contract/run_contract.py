@@ -6,6 +6,7 @@ run_contract.py --programs FOLDER --plugin LIB.so --work DIR --input FOLDER --mp
 import argparse
 import json
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -122,6 +123,9 @@ for program in ("suture_solve", "suture_study", "suture_partition", "suture_sche
     found["options"][program] = contract.optionsOf(text)
     problems = [] if options.record else contract.optionProblems(program, stored.get("options", {}).get(program, []), text)
     check(f"options of {program}", (code, problems), (0, []))
+    check(f"{program}: exit codes in --help", re.findall(r"Exit codes: 0 |, 3 input, ", text), lambda found: len(found) == 2)
+    code, text = harness.run(programs / program, 1, "--version")
+    check(f"{program} --version", (code, re.fullmatch(program + r" \d+\.\d+\.\d+( \(.*\))?\n", text) is not None), (0, True))
     check(f"{program}: an unknown option", harness.run(programs / program, 1, "--no-such-option")[0], 2)
 
 found["phases"] = sorted(phases)

@@ -2,6 +2,7 @@
 
 convert.py --convert PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR
 """
+import re
 import subprocess
 import sys
 
@@ -228,7 +229,8 @@ for name, text, complaint in (
         ("nan.inp", "*NODE\n1, 0, nan\n2, 1, 0\n3, 0, 1\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n", "not finite"),
         ("open.unv", "    -1\n  2411\n", "the dataset does not end"), ("bad.unv", "    -1\n  2411\n 1 1 1 1\n 0 0 0\n 2 a\n    -1\n", "line 5: cannot be read as dataset 2411"),
         ("bad.exo", "garbage", "is not an Exodus file"), ("bad.med", "garbage", "meshio cannot read it"), ("bad.vtu", "garbage", "meshio cannot read it"),
-        ("a.xyz", "garbage", "meshio cannot read it")):
+        ("a.xyz", "garbage", "meshio cannot read it"), ("a.geo", "Point(1) = {0, 0, 0};", "a.geo is a geometry, not a mesh: enter it in Mesh/File"),
+        ("a.step", "garbage", 'read it in a .geo file by Merge "a.step";'), ("a.BREP", "garbage", "Mesh/File of the scene takes the .geo file")):
     (work / name).write_text(text)
     code, said = convert(work / name, work / "out.h5")
     check(f"{name}: exit code", code, 3)
@@ -239,6 +241,8 @@ check("an unknown form of OUT", convert(work / "linear.inp", work / "out.stl"), 
 check("a folder that is not there", convert(work / "linear.inp", work / "none" / "out.h5")[0], 5)
 done = subprocess.run([options.convert, "--help"], capture_output=True, text=True, timeout=60)
 check("help on one screen", done.returncode == 0 and len(done.stdout.splitlines()) <= 40, True)
+check("usage once", done.stdout.count("suture_convert IN OUT"), 1)
+check("number of nodes", convert(work / "linear.inp", work / "out.h5")[1], lambda text: re.search(r"out.h5: [\d,]+ nodes, [\d,]+ elements", text))
 done = subprocess.run([options.convert, work / "linear.inp", work / "out.h5"], capture_output=True, text=True, timeout=60)
 check("started by itself", (done.returncode, contents(work / "out.h5") == contents(work / "linear.inp.h5")), (0, True))
 finish()

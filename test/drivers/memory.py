@@ -23,14 +23,14 @@ CELLS = {"Triangle3": 260, "Triangle6": 130, "Quadrilateral4": 260, "Quadrilater
 def compare(name, scene, words, ranks, low, high):
     words = [*words, "--output", options.work / name]
     code, text = run(options.solve, ranks, scene, *words, "--check")
-    found = re.search(r"about (\d+) MB of memory", text)
+    found = re.search(r"about ([\d,]+) MB of memory", text)
     check(f"{name}, np{ranks}: --check says how much", (code, found is not None), (0, True))
     code, _ = run(options.solve, ranks, scene, *words, "--quiet")
     check(f"{name}, np{ranks}: solved", code, 0)
     if code or not found:
         return
     peak = json.loads((options.work / name / "summary.json").read_text())["peak_memory_mb"]["sum"]
-    check(f"{name}, np{ranks}: {found.group(1)} MB estimated, {peak:.0f} taken", float(found.group(1)) / peak, lambda ratio: low < ratio < high)
+    check(f"{name}, np{ranks}: {found.group(1)} MB estimated, {peak:.0f} taken", float(found.group(1).replace(",", "")) / peak, lambda ratio: low < ratio < high)
 
 
 for shape, cells in CELLS.items():

@@ -7,6 +7,7 @@ import argparse
 import json
 import pathlib
 import re
+import shlex
 import xml.etree.ElementTree as xml
 
 from harness import arguments, check, finish, run, setting
@@ -236,6 +237,18 @@ code, text = run(options.solve, 1, path, "--output", options.work / "turned")
 check("it runs", code, 0)
 summary = json.loads((options.work / "turned" / "summary.json").read_text())
 check("with these units", summary["units"], "mm, N, MPa")
+traction = [e for e in sublists(root, "Boundary Conditions") if e.get("name") == "traction"][0]
+check("the example traction pushes down", parameter(traction, "Value"), "{0, -1}")
+check("the example roller is not named like a body", [e.get("name") for e in sublists(root, "Boundary Conditions") if "roller" in e.get("name")],
+      ["roller support"])
+check("sizes of groups", re.findall(r"curve +low_top  on low, .*, 4 element edges, length 100", path.read_text()), lambda found: len(found) == 1)
+
+# A geometry in mm, without and with the units that a note recommends.
+name = re.search(r"'low' is 100 m long in the default units \(m, N, Pa\). If the geometry is in mm, add: (.*)", new(geometry, scene="metres.xml")[1])
+check("a body of 100 m: a note on the units", bool(name), True)
+code, text, path = new(geometry, *shlex.split(name[1]), scene="metres.xml")
+check("as recommended", (code, " m long" in text, parameter(xml.parse(path).getroot(), "Units")), (0, False, "mm, N, MPa"))
+check("a body of 2 m: no note", " m long" in new(options.work / "joined.geo", scene="small.xml")[1], False)
 code, text = run(options.solve, 1, geometry)
 check("a geometry in place of a scene: what to do", (code, text.count(f"suture_new {geometry}")), (3, 1))
 

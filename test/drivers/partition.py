@@ -34,6 +34,7 @@ for ranks in (1, 2, 4):
     mesh = work / f"cut{ranks}.h5"
     code, text = run(options.partition, ranks, SCENE, "--output", mesh, *METIS)
     check(f"np{ranks}: exit code", code, 0)
+    check(f"np{ranks}: number of elements", f": {whole['elements']:,} elements, subdomains cut_*" in text, True)
     check(f"np{ranks}: prints what to write into the scene", "Partitioned Mesh" in text and "cut_*" in text, True)
     named = ["--set", "Partition/Type=Named Groups", "--set", "Partition/Named Groups/Pattern=cut_*", "--set", "Outer Solver/Tolerance=1e-10"]
     again = solve(f"again{ranks}", readingFrom(mesh), ranks, *named)

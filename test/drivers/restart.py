@@ -4,6 +4,8 @@ restart.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
 import json
 import pathlib
+import re
+import shlex
 import signal
 import subprocess
 import time
@@ -30,9 +32,14 @@ def run(ranks, scene, name, *words):
 whole = run(2, OPEN, "whole")[2]
 
 # Not converged after one iteration: exit code 4 and a checkpoint, from which one rank with METIS continues.
-code, _, cut = run(2, OPEN, "cut", *setting("Outer Solver/Maximum Iterations", 1))
+code, text, cut = run(2, OPEN, "cut", *setting("Outer Solver/Maximum Iterations", 1))
 check("exit code of a run that did not converge", code, 4)
 check("its summary reports it", cut["converged"], False)
+check("its last lines list the checkpoint", re.findall(r"\n   \S*cut/  .*", text), lambda lines: len(lines) == 1 and " checkpoint.h5 " in lines[0])
+check("it recommends more iterations, and no other tolerance", ("from where this run ended" in text, "smaller Outer Solver/Tolerance" in text), (True, False))
+words = shlex.split(re.search(r"to try: .*: (--restart .*)", text)[1])
+code, _, more = run(2, OPEN, "more", *words)
+check("what it recommends converges", (code, more["converged"], more["contact"]["active"]), (0, True, whole["contact"]["active"]))
 code, _, rest = run(1, OPEN, "rest", "--restart", str(work / "cut" / "checkpoint.h5"), *setting("Partition/Type", "METIS"))
 check("exit code of the restarted run", code, 0)
 check("it needs fewer iterations", rest["outer"]["pcg_total"], lambda n: n < whole["outer"]["pcg_total"])
@@ -69,6 +76,7 @@ with open(work / "stopped.log", "w") as log:
         time.sleep(0.2)  # the table has begun
     process.send_signal(signal.SIGUSR1)
     check("exit code of a run stopped on request", process.wait(timeout=60 * SLOWER), 75)
+check("its last lines list the checkpoint", " checkpoint.h5 " in (work / "stopped.log").read_text(), True)
 check("its summary's exit code", json.loads((work / "stopped" / "summary.json").read_text())["exit_code"], 75)
 code, _, rest = run(4, OPEN, "resumed", "--restart", str(work / "stopped" / "checkpoint.h5"))
 check("exit code of its restart", code, 0)

@@ -50,7 +50,7 @@ is_reference("restart", found)
 levels = ", ".join("; ".join(cells(*size)) for size in ((6, 3), (10, 5)))
 code, text, nested = run(2, "nested", *setting("Outer Solver/Start", "Nested"), *setting("Outer Solver/Nested/Levels", f"{{{levels}}}"))
 check("exit code of a nested start", (code, text.count("nested start: ")), (0, 2))
-check("its levels", ["216 elements" in text, "1000 elements" in text], [True, True])
+check("its levels", ["216 elements" in text, "1,000 elements" in text], [True, True])
 is_reference("nested start", nested)
 check("it needs few steps", nested["outer"]["iterations"], lambda n: n <= 5)  # 6 from the default start
 

@@ -156,6 +156,20 @@ PLANT(ABodyThatOnlyMovesMovedFurther, liftedBlock(), "prescribed", { answer.move
 PLANT(AForceOnABodyThatOnlyMoves, liftedBlock(), "tension", {
   if (!answer.pairs.empty()) answer.pairs[3].force = -1e-9;
 })
+// Its deformation is round-off: bounds relative to it would be meaningless, with and without loads on its held nodes.
+TEUCHOS_UNIT_TEST(PlantedErrors, BoundsOfABodyThatOnlyMovesAreMeaningful) {
+  for (const double load : {0.0, 5.0}) {
+    Scene scene = liftedBlock();
+    scene.traction("upper_top", {0, -load, 0});
+    const Verification verdict = Judged(scene).verdict();
+    TEST_ASSERT(verdict.holds());
+    for (const Check& one : verdict.checks) {
+      out << load << " " << one.name << " " << one.value << " of " << one.bound << "\n";
+      TEST_COMPARE(one.bound, <=, 1.0);
+    }
+    if (load > 0.0) TEST_COMPARE(check(verdict, "nodes").bound, <=, 0.05);
+  }
+}
 PLANT(NotANumberInside, pressedBlocks(), "residual", { answer.moveNear(1, {0.2, 0.6, 0}, [&](double* u) { u[0] = kNaN; }); })
 PLANT(NotANumberAmongTheForces, pressedBlocks(), "tension", {
   if (!answer.pairs.empty()) answer.pairs[2].force = kNaN;

@@ -1,6 +1,7 @@
 // Sentences assembled from parts: each of their branches is checked once.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/constraints/RigidMotion.hpp>
+#include <suture/quality/Findings.hpp>
 #include <suture/quality/Verification.hpp>
 #include <suture/solvability/NeutralMotions.hpp>
 
@@ -76,6 +77,13 @@ TEUCHOS_UNIT_TEST(Words, OfMotionsAndVerdictsHaveNoFaultInAnyBranch) {
   verdict.checks = {path};
   TEST_EQUALITY(verdict.failure(), "work 2.0e-05 exceeds 1.0e-06 (on the path to t = 1). Advice two");
   TEST_EQUALITY(read, 8 * 3 * 2 + 6);
+
+  // A run that did not converge: no advice on the solver, but on the scene.
+  TEST_EQUALITY(adviceOf(Quantity::Nodes, false, false), "");
+  TEST_INEQUALITY(adviceOf(Quantity::Nodes), "");
+  TEST_EQUALITY(adviceOf(Quantity::Digits, false, false), adviceOf(Quantity::Digits));
+  verdict.checks.front().advice = "";
+  TEST_EQUALITY(verdict.failure(), "work 2.0e-05 exceeds 1.0e-06 (on the path to t = 1)");
 }
 
 }  // namespace
