@@ -33,6 +33,8 @@ struct Lanes {
     __attribute__((always_inline)) void operator+=(Type x) { value = value + x; }
     __attribute__((always_inline)) void operator-=(Type x) { value = value - x; }
     __attribute__((always_inline)) void operator*=(Real x) { value = value * x; }
+    __attribute__((always_inline)) friend Type operator*(const Place& a, Real b) { return a.value * b; }
+    __attribute__((always_inline)) friend Type operator*(Real a, const Place& b) { return a * b.value; }
   };
   __attribute__((always_inline)) static Type at(const Real* from) { return reinterpret_cast<const Place*>(from)->value; }
   __attribute__((always_inline)) static Place& at(Real* from) { return *reinterpret_cast<Place*>(from); }

@@ -99,7 +99,10 @@ class MortarRows::Maker {
         if (isOn(place, own[0])) continue;
         std::vector<int> both;
         std::set_intersection(common.begin(), common.end(), sharers.begin(), sharers.end(), std::back_inserter(both));
-        common = any ? std::move(both) : sharers;
+        if (any)
+          common = std::move(both);
+        else
+          common = sharers;
         any = true;
         allAlone = allAlone && alone_[place];
       }

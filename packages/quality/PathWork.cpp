@@ -27,7 +27,8 @@ WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
     const Eigen::Map<const Matrix> u(answer.displacement[i].data(), d, mesh.nodes());
     std::vector<const NodeRule*> ruleOf(mesh.nodes(), nullptr);
     for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
-    Matrix force = Matrix::Zero(d, mesh.nodes()), moved = force;
+    Matrix force = Matrix::Zero(d, mesh.nodes());
+    Matrix moved = force;
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       const auto sums = forces.nodes[i].col(node);
