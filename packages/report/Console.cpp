@@ -18,6 +18,7 @@ namespace {
 
 constexpr const char* kFields = "fields_0000.vtkhdf";
 constexpr const char* kCheckpoint = "checkpoint.h5";
+constexpr double kExactMesh = 0.01;  // error of the mesh, in per cent, below which its digits mean nothing
 
 std::string titleOf(const SceneFile& scene) {
   const Parameters& all = *scene.parameters;
@@ -68,6 +69,7 @@ std::string verdict(const RunMonitor& monitor, const Verification& verification)
 std::string meshError(const Solution& answer) {
   if (answer.discretisation || answer.meshError.value_or(0.0) == 0.0) return "";
   const double share = 100 * *answer.meshError;
+  if (share < kExactMesh) return format("   mesh error below %g %% in the energy norm, from averaged stresses\n", kExactMesh);
   return format(share < 10 ? "   mesh error about %.2g %% in the energy norm, from averaged stresses\n"
                            : "   mesh error about %.0f %% in the energy norm, from averaged stresses\n",
                 share);

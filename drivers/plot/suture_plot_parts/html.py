@@ -1,9 +1,7 @@
 """Parts of a self-contained web page without network access or scripts. The page is also well-formed XML."""
 import base64
 import html as _html
-import io
-
-from PIL import Image
+from pathlib import Path
 
 STYLE = """
 :root { --ink: #1d2329; --soft: #59636e; --line: #d5dae0; --good: #00694d; --bad: #b3261e; --accent: #0b4f9e; }
@@ -78,11 +76,8 @@ def table(head, rows, caption="", numeric=(), long=()):
 
 
 def embedded(path):
-    """The image with a palette of 256 colours, which is a third of its size; a page holds ten of them."""
-    small = io.BytesIO()
-    with Image.open(path) as image:
-        image.convert("RGB").quantize(256, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(small, "png")
-    return base64.b64encode(small.getvalue()).decode()
+    """The image file as it is, in full colour."""
+    return base64.b64encode(Path(path).read_bytes()).decode()
 
 
 def figure(picture, title):
