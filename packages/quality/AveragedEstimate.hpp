@@ -10,7 +10,7 @@ namespace suture {
 /// solver.
 struct EarlierEnergy {
   double twice = 0.0;      ///< upper bound of twice the energy; 0: no earlier steps [force length]
-  double tolerance = 0.0;  ///< of the solver, relative, in the energy norm
+  double tolerance = 0.0;  ///< relative tolerance of the solver, in the energy norm
 };
 
 /// A cheap estimate of the discretisation error in the energy norm: the elements' stresses minus their averages at the vertices of each
