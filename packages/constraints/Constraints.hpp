@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 #include <suture/constraints/ContactLaw.hpp>
-#include <suture/constraints/ContactState.hpp>
+#include <suture/constraints/ContactPiece.hpp>
 #include <suture/pairing/ContactPair.hpp>
 
 #include <array>
@@ -50,33 +50,6 @@ struct Support {
 struct SpringDirection {
   int element = -1, node = -1;
   Point direction{0, 0, 0};
-};
-
-/// A solver's decision about a pair; gap and pressure follow from the displacements.
-struct PairForce {
-  int id = -1;
-  ContactState state;
-  double force = 0.0;         ///< > 0 compressive [force]
-  Point tangential{0, 0, 0};  ///< friction force on side B from the sliding of A, Cartesian [force]
-};
-
-/// A connected component of Gamma_c.
-struct ContactPiece {
-  std::string name;         ///< name of the contact; "<contact> 2" for its second component, "a + b" for contacts that touch
-  std::vector<int> pairs;   ///< ids
-  std::vector<int> bodies;  ///< ascending
-  /// Cells between the nodes that carry pairs, by ids of the pairs: segments in 2D, triangles and quadrilaterals in 3D; several per
-  /// second-order side.
-  std::vector<std::vector<int>> cells;
-  double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements represent curved sides [stress]
-  std::vector<AxisPoint> onAxis;
-  std::vector<int> openEnds{};  ///< ids of pairs at the rim, beyond which the boundaries continue free and without a corner
-
-  template <typename Self, typename Each>
-  static void forEachField(Self& self, const Each& each) {
-    each(self.name), each(self.pairs), each(self.bodies), each(self.cells), each(self.pressureDoubt), each(self.onAxis);
-    each(self.openEnds);
-  }
 };
 
 /// All constraints on the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for

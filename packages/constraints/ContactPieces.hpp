@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/ContactPiece.hpp>
 #include <suture/pairing/ContactPairs.hpp>
 #include <suture/pairing/ContactSurface.hpp>
 

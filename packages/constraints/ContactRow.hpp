@@ -1,11 +1,12 @@
 #pragma once
-#include <suture/constraints/Constraints.hpp>
+#include <suture/base/Types.hpp>
+#include <suture/constraints/ContactLaw.hpp>
+#include <suture/constraints/ContactState.hpp>
+#include <suture/pairing/ContactPair.hpp>
 
 #include <vector>
 
 namespace suture {
-
-struct Mesh;
 
 /// Block of rows of one contact pair: the restrictions of its law, in the frame of the pair (PairFrame). The first row is the condition
 /// (u_A - u_B) . normal <= gap; a law that restricts sliding adds (u_A - u_B) . tangent, which vanishes where the pair sticks.
@@ -44,9 +45,6 @@ struct ContactRow {
 
 /// Directions of a pair's rows: its frame (PairFrame), with the tangents reduced to the directions in which the pair can slide.
 std::vector<Point> rowDirections(const ContactPair& pair, int dimension);
-
-/// Rows of all pairs, in their order, as many per pair as its law restricts. Cost proportional to nodes and pairs. Local (rank 0).
-std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constraints);
 
 /// State of a row's pair in a set of closed pairs: without friction, except for pairs that never open; open if nothing can change.
 ContactState pressedState(const ContactRow& row, const ContactLaw& law);

@@ -1,8 +1,9 @@
 #pragma once
 #include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/constraints/Constraints.hpp>
 #include <suture/constraints/ContactLaw.hpp>
+#include <suture/constraints/ContactState.hpp>
+#include <suture/constraints/PairForce.hpp>
 #include <suture/interface/ContactBodies.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
 #include <suture/search/LinearContactSolver.hpp>

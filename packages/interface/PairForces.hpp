@@ -1,5 +1,6 @@
 #pragma once
-#include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/ContactState.hpp>
+#include <suture/pairing/ContactPair.hpp>
 #include <suture/search/LinearContactSolver.hpp>
 
 #include <array>

@@ -1,3 +1,4 @@
+#include <suture/constraints/ContactRows.hpp>
 #include <suture/partition/Attachments.hpp>
 
 #include <algorithm>

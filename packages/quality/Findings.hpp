@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/ForceScale.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/ContactPiece.hpp>
 
 #include <algorithm>
 #include <array>

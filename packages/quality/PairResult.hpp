@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Point.hpp>
-#include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/ContactPiece.hpp>
+#include <suture/constraints/PairForce.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
 #include <array>

@@ -2,6 +2,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/constraints/ContactRows.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/pairing/PairFrame.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/ContactLaw.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/solver/Solution.hpp>
 

@@ -2,7 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <pairing/SpaceScenes.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/constraints/ContactRow.hpp>
+#include <suture/constraints/ContactRows.hpp>
 #include <suture/constraints/RigidMotion.hpp>
 
 #include <set>

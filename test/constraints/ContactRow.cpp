@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <random>
 #include <set>
-#include <suture/constraints/ContactRow.hpp>
+#include <suture/constraints/ContactRows.hpp>
 #include <suture/constraints/FrictionLaws.hpp>
 
 #include "ConstraintsTesting.hpp"

@@ -6,7 +6,7 @@
 #include <support/DryLaw.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
-#include <suture/constraints/ContactRow.hpp>
+#include <suture/constraints/ContactRows.hpp>
 
 #include <cmath>
 #include <random>

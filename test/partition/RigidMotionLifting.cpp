@@ -2,6 +2,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Gather.hpp>
+#include <suture/constraints/ContactRows.hpp>
 #include <suture/partition/RigidMotionLifting.hpp>
 
 #include <cmath>
