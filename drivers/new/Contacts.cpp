@@ -4,7 +4,7 @@
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
 #include <suture/mesh/Surface.hpp>
-#include <suture/pairing/ContactSurface.hpp>
+#include <suture/pairs/ContactSurface.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #include <suture/base/Registry.hpp>
 #include <suture/condensed/ContactCompliance.hpp>
 #include <suture/condensed/ContactRows.hpp>
-#include <suture/constraints/ContactLaw.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
 #include <functional>

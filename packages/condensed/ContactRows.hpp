@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/algebra/SparseMatrix.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/constraints/ContactState.hpp>
+#include <suture/pairs/ContactState.hpp>
 
 #include <array>
 #include <vector>

@@ -1,13 +1,13 @@
 #include <suture/base/Point.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/Conditions.hpp>
-#include <suture/constraints/ContactPieces.hpp>
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
 #include <suture/constraints/UnmodelledRim.hpp>
 #include <suture/mesh/SideGeometry.hpp>
-#include <suture/pairing/ContactPairs.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/ContactPairs.hpp>
+#include <suture/pairs/ContactPieces.hpp>
+#include <suture/pairs/PairFrame.hpp>
 
 #include <algorithm>
 #include <cmath>

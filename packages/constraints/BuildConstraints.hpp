@@ -5,7 +5,7 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/constraints/LoadSteps.hpp>
 #include <suture/mesh/Mesh.hpp>
-#include <suture/pairing/ContactSurface.hpp>
+#include <suture/pairs/ContactSurface.hpp>
 
 #include <functional>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/constraints/ContactLaw.hpp>
-#include <suture/constraints/ContactPiece.hpp>
-#include <suture/pairing/ContactPair.hpp>
+#include <suture/pairs/ContactLaw.hpp>
+#include <suture/pairs/ContactPair.hpp>
+#include <suture/pairs/ContactPiece.hpp>
 
 #include <array>
 #include <string>

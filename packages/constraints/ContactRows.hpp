@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
-#include <suture/constraints/ContactRow.hpp>
+#include <suture/pairs/ContactRow.hpp>
 
 #include <vector>
 

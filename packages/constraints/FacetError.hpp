@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/BuildConstraints.hpp>
-#include <suture/pairing/ContactPairs.hpp>
-#include <suture/pairing/ContactSurface.hpp>
+#include <suture/pairs/ContactPairs.hpp>
+#include <suture/pairs/ContactSurface.hpp>
 
 #include <string>
 #include <vector>

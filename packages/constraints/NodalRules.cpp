@@ -2,8 +2,8 @@
 #include <suture/constraints/NodalRules.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideGeometry.hpp>
-#include <suture/pairing/ContactSurface.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/ContactSurface.hpp>
+#include <suture/pairs/PairFrame.hpp>
 
 #include <algorithm>
 #include <array>

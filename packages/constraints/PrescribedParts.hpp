@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/ContactRow.hpp>
+#include <suture/pairs/ContactRow.hpp>
 
 #include <vector>
 

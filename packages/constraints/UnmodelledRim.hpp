@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
-#include <suture/pairing/ContactSurface.hpp>
+#include <suture/pairs/ContactSurface.hpp>
 
 #include <vector>
 

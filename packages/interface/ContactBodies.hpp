@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/constraints/ContactLaw.hpp>
 #include <suture/constraints/RigidMotion.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 #include <suture/search/RigidBodyModel.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 

@@ -2,7 +2,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/PairFrame.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

@@ -1,9 +1,9 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Progress.hpp>
-#include <suture/constraints/ContactRow.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/interface/PlainFlips.hpp>
 #include <suture/interface/SeamLayout.hpp>
+#include <suture/pairs/ContactRow.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

@@ -1,9 +1,9 @@
 #pragma once
-#include <suture/constraints/ContactRow.hpp>
 #include <suture/interface/ContactClusters.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/interface/PairForces.hpp>
 #include <suture/interface/TraceMotions.hpp>
+#include <suture/pairs/ContactRow.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
 

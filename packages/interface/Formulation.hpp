@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/algebra/LocalSolver.hpp>
 #include <suture/base/Registry.hpp>
-#include <suture/constraints/ContactLaw.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 #include <suture/subdomain/Subdomain.hpp>

@@ -1,11 +1,11 @@
 #pragma once
 #include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/constraints/ContactLaw.hpp>
-#include <suture/constraints/ContactState.hpp>
-#include <suture/constraints/PairForce.hpp>
 #include <suture/interface/ContactBodies.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
+#include <suture/pairs/ContactLaw.hpp>
+#include <suture/pairs/ContactState.hpp>
+#include <suture/pairs/PairForce.hpp>
 #include <suture/search/LinearContactSolver.hpp>
 
 #include <map>

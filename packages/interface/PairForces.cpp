@@ -1,7 +1,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/interface/PairForces.hpp>
 #include <suture/interface/PlainFlips.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/PairFrame.hpp>
 
 namespace suture {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include <suture/constraints/ContactState.hpp>
-#include <suture/pairing/ContactPair.hpp>
+#include <suture/pairs/ContactPair.hpp>
+#include <suture/pairs/ContactState.hpp>
 #include <suture/search/LinearContactSolver.hpp>
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
-#include <suture/constraints/ContactLaw.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 #include <suture/search/RigidBodyModel.hpp>
 
 namespace suture {

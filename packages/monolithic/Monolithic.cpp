@@ -7,7 +7,7 @@
 #include <suture/monolithic/MonolithicContact.hpp>
 #include <suture/monolithic/MonolithicFriction.hpp>
 #include <suture/monolithic/MonolithicSystem.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/PairFrame.hpp>
 #include <suture/solvability/Solvability.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
 

@@ -2,9 +2,9 @@
 #include <suture/algebra/CholmodFactor.hpp>
 #include <suture/base/Monitor.hpp>
 #include <suture/constraints/Constraints.hpp>
-#include <suture/constraints/PairForce.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/pairs/PairForce.hpp>
 #include <suture/solver/Solution.hpp>
 
 #include <string>

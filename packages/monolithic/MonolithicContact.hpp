@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Point.hpp>
-#include <suture/constraints/ContactLaw.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 
 #include <functional>
 #include <string>

@@ -1,8 +1,8 @@
 #include <suture/base/Errors.hpp>
-#include <suture/constraints/ContactRow.hpp>
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/monolithic/MonolithicSystem.hpp>
+#include <suture/pairs/ContactRow.hpp>
 #include <suture/quality/ElementForces.hpp>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/constraints/ContactRow.hpp>
 #include <suture/mesh/CellBlock.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/pairs/ContactRow.hpp>
 #include <suture/partition/Partition.hpp>
 
 #include <array>

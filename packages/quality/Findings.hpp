@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/ForceScale.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/constraints/ContactPiece.hpp>
+#include <suture/pairs/ContactPiece.hpp>
 
 #include <algorithm>
 #include <array>

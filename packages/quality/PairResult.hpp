@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/Point.hpp>
-#include <suture/constraints/ContactPiece.hpp>
-#include <suture/constraints/PairForce.hpp>
+#include <suture/pairs/ContactPiece.hpp>
+#include <suture/pairs/PairForce.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
 #include <array>

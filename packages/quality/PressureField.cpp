@@ -5,7 +5,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/mesh/SideGeometry.hpp>
-#include <suture/pairing/mortar/ShapeValues.hpp>
+#include <suture/pairs/mortar/ShapeValues.hpp>
 #include <suture/quality/ErrorNorms.hpp>
 #include <suture/quality/PressureField.hpp>
 

@@ -1,5 +1,5 @@
 #include <suture/base/Gather.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/PairFrame.hpp>
 #include <suture/quality/Deformation.hpp>
 #include <suture/quality/NodalForces.hpp>
 #include <suture/quality/Verify.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/ContactLaw.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 #include <suture/search/LinearContactSolver.hpp>
 #include <suture/search/RigidBodyModel.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/ContactState.hpp>
+#include <suture/pairs/ContactState.hpp>
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <suture/constraints/LoadSteps.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
-#include <suture/pairing/ContactSurface.hpp>
+#include <suture/pairs/ContactSurface.hpp>
 #include <suture/solver/MakeSubdomains.hpp>
 
 #include <functional>

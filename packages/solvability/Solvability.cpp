@@ -5,7 +5,7 @@
 #include <suture/constraints/ContactRows.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/CellGeometry.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/PairFrame.hpp>
 #include <suture/search/PadModel.hpp>
 #include <suture/solvability/Solvability.hpp>
 

@@ -2,7 +2,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/PairFrame.hpp>
 #include <suture/solvability/SharedForces.hpp>
 #include <suture/solvability/UndeterminedForces.hpp>
 

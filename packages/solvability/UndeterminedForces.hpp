@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/ContactLaw.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/solver/Solution.hpp>
 

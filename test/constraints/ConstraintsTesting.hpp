@@ -1,5 +1,5 @@
 #pragma once
-#include <pairing/PairingTesting.hpp>
+#include <pairs/PairsTesting.hpp>
 #include <support/CheckSays.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
@@ -12,7 +12,7 @@
 
 namespace constraintstesting {
 
-using namespace pairingtesting;
+using namespace pairstesting;
 
 /// A list of parameters `name`: entries as "name=value" with the type inferred from the value.
 std::string entry(const std::string& name, const std::vector<std::pair<std::string, std::string>>& parameters);

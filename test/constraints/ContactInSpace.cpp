@@ -1,6 +1,6 @@
 // Pieces, rims, frames and rows of 3D contacts.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <pairing/SpaceScenes.hpp>
+#include <pairs/SpaceScenes.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/constraints/ContactRows.hpp>
 #include <suture/constraints/RigidMotion.hpp>
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(ContactInSpace, IsOpenAtTheRimWhereBothBoundariesGoOn) {
 }
 
 TEUCHOS_UNIT_TEST(ContactInSpace, GivesItsNodesTheNormalAndTwoTangents) {
-  const pairingtesting::Turned turn({1, 0.5, -0.3}, 0.8);
+  const pairstesting::Turned turn({1, 0.5, -0.3}, 0.8);
   for (const Cell upper : {Cell::Hexahedron8, Cell::Tetrahedron10}) {
     Mesh mesh = facing(Cell::Hexahedron8, 3, 2, upper, 3, 2, 0.01);
     moveAll(mesh, [&](Point p) { return turn(p); });

@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <limits>
-#include <suture/constraints/ContactLaw.hpp>
+#include <pairs/RoughLaw.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 
 #include "ConstraintsTesting.hpp"
-#include "RoughLaw.hpp"
 
 using namespace constraintstesting;
 

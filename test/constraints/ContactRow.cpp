@@ -2,7 +2,7 @@
 #include <random>
 #include <set>
 #include <suture/constraints/ContactRows.hpp>
-#include <suture/constraints/FrictionLaws.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
 
 #include "ConstraintsTesting.hpp"
 #include "RoughLaw.hpp"

@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <constraints/RoughLaw.hpp>
 #include <interface/ContactScenes.hpp>
 #include <interface/DenseSpace.hpp>
 #include <interface/RecoveredPairs.hpp>
-#include <suture/constraints/FrictionLaws.hpp>
+#include <pairs/RoughLaw.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
 
 namespace suture {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 #include <support/Blocks.hpp>
-#include <suture/constraints/FrictionLaws.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
 
 namespace suture::blocks {
 

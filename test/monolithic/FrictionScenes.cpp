@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
-#include <suture/constraints/FrictionLaws.hpp>
 #include <suture/monolithic/Monolithic.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
+#include <suture/pairs/PairFrame.hpp>
 
 #include <support/DryLaw.hpp>
 #include <support/SmallScenes.hpp>

@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
-#include <suture/constraints/FrictionLaws.hpp>
 #include <suture/monolithic/MonolithicFriction.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
 
 #include <support/DryLaw.hpp>
 

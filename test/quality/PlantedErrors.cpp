@@ -3,8 +3,8 @@
 #include <quality/Judged.hpp>
 
 #include <limits>
-#include <suture/constraints/FrictionLaws.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
+#include <suture/pairs/PairFrame.hpp>
 #include <suture/quality/Deformation.hpp>
 
 namespace suture {

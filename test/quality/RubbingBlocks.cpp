@@ -1,8 +1,8 @@
 #include <quality/RubbingBlocks.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/constraints/FrictionLaws.hpp>
 #include <suture/mesh/Surface.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
+#include <suture/pairs/PairFrame.hpp>
 
 namespace suture::solids {
 

@@ -1,10 +1,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/constraints/FrictionLaws.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/monolithic/MonolithicSystem.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
 #include <suture/solvability/Solvability.hpp>
 
 #include <support/DryLaw.hpp>

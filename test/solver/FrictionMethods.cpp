@@ -6,7 +6,7 @@
 #include <support/DryLaw.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/condensed/CondensedProblem.hpp>
-#include <suture/pairing/PairFrame.hpp>
+#include <suture/pairs/PairFrame.hpp>
 #include <suture/solver/SolveInterface.hpp>
 
 namespace suture {

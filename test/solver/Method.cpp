@@ -1,11 +1,11 @@
 // Methods that solve a partitioned scene.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <constraints/RoughLaw.hpp>
+#include <pairs/RoughLaw.hpp>
 #include <solver/SceneChoices.hpp>
 #include <support/CheckSays.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/constraints/FrictionLaws.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
 #include <suture/solver/Method.hpp>
 
 namespace suture {

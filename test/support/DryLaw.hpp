@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/FrictionLaws.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
 
 #include <memory>
 

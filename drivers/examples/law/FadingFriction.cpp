@@ -3,7 +3,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <cmath>
 #include <suture/base/Point.hpp>
-#include <suture/constraints/ContactLaw.hpp>
+#include <suture/pairs/ContactLaw.hpp>
 
 namespace {
 

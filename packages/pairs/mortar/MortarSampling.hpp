@@ -1,0 +1,58 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/pairs/ContactSurface.hpp>
+#include <suture/pairs/mortar/ShapeValues.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace suture {
+
+/// A point of both faces of a contact, on a line along the normal of one of its conditions.
+struct MortarSample {
+  ReferencePoint at{0, 0, 0};   ///< reference coordinates on the side of the carrying face
+  double weight = 0.0;          ///< quadrature weight [length or area]; axisymmetric: times 2 pi r [area]
+  double gap = 0.0;             ///< distance to the other face along the normal [length]
+  double doubt = 0.0;           ///< estimated error of the gap due to the element shape [length]
+  int other = -1;               ///< side of the other face; -1: a rigid obstacle
+  ShapeValues own{}, others{};  ///< shape functions of both sides at the point
+};
+
+/// Quadrature points of one side of the carrying face.
+struct MortarSamples {
+  std::vector<MortarSample> all;
+  double covered = 0.0;  ///< fraction of the side that is opposite to the other face
+  /// Largest value of each vertex's linear function on the covered part, i.e. how closely the other face approaches the vertex; 1 if it
+  /// reaches it.
+  ShapeValues reach{};
+
+  bool isWhole() const { return covered > 1 - 1e-8; }
+};
+
+/// Points at which the conditions of a mortar compare the carrying face with the other, in 2D and 3D. Implementations: two lines
+/// (LineSampling), two surfaces (FaceSampling), a surface and an obstacle (ObstacleSampling). Sides are numbered as in the surfaces. Local.
+class MortarSampling {
+ public:
+  virtual ~MortarSampling() = default;
+
+  /// Number of multiplier functions on a side, one for each of its first nodes. \param whole  the other face covers the whole side
+  virtual int functions(int side, bool whole) const = 0;
+  /// Mean of the two faces' normals at a node of a side, outward; the side's own normal if nothing is opposite or the other normal is
+  /// parallel.
+  virtual Point meanNormal(int side, int node) const = 0;
+  /// Quadrature points of a side along one direction, split wherever a side of the other face begins.
+  virtual MortarSamples sample(int side, const Point& normal) const = 0;
+  /// Covered fraction of a side, where this is cheaper than sample(); otherwise nothing.
+  virtual std::optional<double> covered(int, const Point&) const { return std::nullopt; }
+
+  /// True if either face is curved anywhere and straight elements, which cannot follow the curve, take part.
+  virtual bool isFaceted() const { return false; }
+  /// True if the samples contain estimates of `doubt`.
+  virtual bool estimatesDoubt() const { return false; }
+};
+
+/// Sampling of two faces. \param onA  face A carries the conditions. Local.
+std::unique_ptr<MortarSampling> samplingOf(const Mesh& mesh, const ContactSurface& contact, bool onA);
+
+}  // namespace suture
