@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Hides the symbols of the bindings; the registries of the library stay visible to the whole process.
-#define SUTURE_HIDDEN __attribute__((visibility("hidden")))
+#define SUTURE_HIDDEN [[gnu::visibility("hidden")]]
 
 namespace suture {
 namespace SUTURE_HIDDEN python {
