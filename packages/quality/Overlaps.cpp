@@ -154,7 +154,7 @@ class OverlapSearch::Search {
         for (int k = 0; k < d; ++k) {
           const double x = places_[i][node][k];
           if (!std::isfinite(x)) mine.end()[-2] = 0.0;
-          double* box = &mine[std::size_t(2 * d * all_.meshes_[i].body)];
+          double* box = &mine[2 * d * std::size_t(all_.meshes_[i].body)];
           box[k] = std::min(box[k], x);
           box[d + k] = std::min(box[d + k], -x);
         }
@@ -163,7 +163,7 @@ class OverlapSearch::Search {
     if (least.end()[-2] == 0.0) return false;
     for (int b = 0; b < count; ++b) {
       BoundingBox& box = boxes_.emplace_back();
-      const double* values = &least[std::size_t(2 * d * b)];
+      const double* values = &least[2 * d * std::size_t(b)];
       if (values[0] == far) continue;  // no nodes
       box.include(Point{values[0], values[1], values[2]});
       box.include(Point{-values[3], -values[4], -values[5]});
@@ -209,11 +209,13 @@ class OverlapSearch::Search {
       for (const int line : facet.contacts)
         if (all_.given_.count(line)) joined[line].insert(facet.body);
     }
-    for (const auto& [line, bodies] : joined)
+    for (const auto& contact : joined) {
+      const std::set<int>& bodies = contact.second;
       for (const int body : bodies) {
         std::vector<int>& others = neighbours_[body];
         others.erase(std::remove_if(others.begin(), others.end(), [&](int other) { return bodies.count(other) > 0; }), others.end());
       }
+    }
     std::set<int> wanted;
     for (const SubdomainMesh& mesh : all_.meshes_) wanted.insert(neighbours_[mesh.body].begin(), neighbours_[mesh.body].end());
     for (const int body : wanted)

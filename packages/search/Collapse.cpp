@@ -34,7 +34,7 @@ ContactState Collapse::slipping(std::size_t pair, const Vector& slip, double nor
   trial.slipped = true;
   trial.force[0] = normal;
   const double size = slip.norm();
-  for (int k = 0; k < 2; ++k) trial.jump[static_cast<std::size_t>(k + 1)] = kBeyond * (size > 0.0 ? slip(k) / size : k == 0 ? 1.0 : 0.0);
+  for (int k = 0; k < 2; ++k) trial.jump[static_cast<std::size_t>(k) + 1] = kBeyond * (size > 0.0 ? slip(k) / size : k == 0 ? 1.0 : 0.0);
   ContactState state = laws_.of(rigid_.data().line[pair]).project(trial, PairStatus::Slip);
   if (state.status != PairStatus::Slip) return PairStatus::Stick;
   state.bound *= multiple;
