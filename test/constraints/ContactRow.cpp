@@ -4,8 +4,8 @@
 #include <suture/constraints/ContactRows.hpp>
 #include <suture/pairs/FrictionLaws.hpp>
 
+#include <pairs/RoughLaw.hpp>
 #include "ConstraintsTesting.hpp"
-#include "RoughLaw.hpp"
 
 using namespace constraintstesting;
 
