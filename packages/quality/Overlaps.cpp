@@ -18,10 +18,11 @@ namespace suture {
 
 namespace {
 
-constexpr double kInside = 0.01;  // smallest depth, as a fraction of a side
-constexpr double kPassed = 0.5;   // fraction of a side by which sides of a contact have passed through each other
-constexpr double kSmooth = 0.8;   // distance between unit normals of adjacent sides from which there is a corner: 47 degrees
-constexpr double kSafe = 0.25;    // times the angle to the next side and the length: twice the distance between a side and its arc
+constexpr double kSameDepth = 1e-9;  // difference of depths and of boxes that is round-off, relative to them
+constexpr double kInside = 0.01;     // smallest depth, as a fraction of a side
+constexpr double kPassed = 0.5;      // fraction of a side by which sides of a contact have passed through each other
+constexpr double kSmooth = 0.8;      // distance between unit normals of adjacent sides from which there is a corner: 47 degrees
+constexpr double kSafe = 0.25;       // times the angle to the next side and the length: twice the distance between a side and its arc
 
 /// First number that both ascending lists contain; -1: none.
 int common(const std::vector<int>& a, const std::vector<int>& b) {
@@ -172,7 +173,7 @@ class OverlapSearch::Search {
     neighbours_.resize(count);
     bool any = false;
     for (int b = 0; b < count; ++b) {
-      const double rounding = kSamePoint * norm(minus(boxes_[b].high, boxes_[b].low));
+      const double rounding = kSameDepth * norm(minus(boxes_[b].high, boxes_[b].low));
       const auto overlaps = [&](const BoundingBox& other) {
         for (int k = 0; k < dimension_; ++k)
           if (!(std::min(boxes_[b].high[k], other.high[k]) - std::max(boxes_[b].low[k], other.low[k]) > rounding)) return false;
@@ -287,7 +288,7 @@ class OverlapSearch::Search {
     const auto [low, high] = std::minmax(overlap.body, overlap.into);
     Overlap& kept = deepest_[{low, high, overlap.contact}];
     // Among equal ones a fixed choice, independent of the number of ranks.
-    if (overlap.depth > (1.0 + kSamePoint) * kept.depth || (overlap.depth > (1.0 - kSamePoint) * kept.depth && overlap.place < kept.place))
+    if (overlap.depth > (1.0 + kSameDepth) * kept.depth || (overlap.depth > (1.0 - kSameDepth) * kept.depth && overlap.place < kept.place))
       kept = overlap;
   }
 
