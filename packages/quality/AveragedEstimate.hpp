@@ -18,9 +18,9 @@ struct EarlierEnergy {
 /// the averages at seams once. Less accurate than estimateError(), especially at boundaries, where the averages are one-sided; sufficient
 /// to detect meshes that are too coarse.
 ///
-/// Returns the error relative to the solution's energy norm [-]; 0 if all stresses are round-off, or errors
-/// of the solver. Independent of partition and ranks up to
-/// round-off. Collective. \param displacement  of each mesh, node-major, Cartesian
+/// Returns the error relative to the solution's energy norm [-]. Zero if the stresses are only round-off or errors of the solver. The
+/// result is independent of partition and ranks up to round-off. Collective. \param displacement  of each mesh, node-major, Cartesian
+/// \param earlier       largest energy in earlier load steps
 double averagedEstimate(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                         const std::vector<Vector>& displacement, const EarlierEnergy& earlier = {});
 
