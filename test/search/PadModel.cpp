@@ -4,9 +4,12 @@
 #include <cmath>
 #include <random>
 
+#include "PadsInARow.hpp"
+
 namespace {
 
 using namespace suture;
+using padsinarow::padsInARow;
 using Force = FrictionCone::Force;
 
 /// A block of base 2 (2 x 2 in 3D) on pads at its corners, under forces at its centre, `height` above the pads.
@@ -133,13 +136,6 @@ TEUCHOS_UNIT_TEST(PadModel, OpenPadsHoldNothing) {
   }
   Vector work = groove.rows.transpose() * found.force.col(0) + groove.tangents[0].transpose() * found.force.col(1);
   TEST_COMPARE((work - groove.work).norm(), <, 1e-8);
-}
-
-/// Pads between bodies in a row along a line: pad i is between body i and body i + 1; walls before the first and behind the last.
-Matrix padsInARow(int bodies) {
-  Matrix rows = Matrix::Zero(bodies + 1, bodies);
-  for (int k = 0; k < bodies; ++k) rows(k, k) = -1.0, rows(k + 1, k) = 1.0;
-  return rows;
 }
 
 TEUCHOS_UNIT_TEST(PadModel, DistributesTheForceOfWalls) {

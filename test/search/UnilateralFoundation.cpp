@@ -3,21 +3,17 @@
 
 #include <random>
 
+#include "PadsInARow.hpp"
+
 namespace {
 
 using namespace suture;
-
-/// Pads between bodies in a row along a line: pad i is between body i and body i + 1; walls before the first and behind the last.
-Matrix row(int bodies) {
-  Matrix rows = Matrix::Zero(bodies + 1, bodies);
-  for (int k = 0; k < bodies; ++k) rows(k, k) = -1.0, rows(k + 1, k) = 1.0;
-  return rows;
-}
+using padsinarow::padsInARow;
 
 TEUCHOS_UNIT_TEST(UnilateralFoundation, DistributesTheForceOfWalls) {
   // The distance between the walls is 0.3 less than the total length of the bodies; pads in series carry equal forces.
   const int bodies = 5;
-  const Matrix rows = row(bodies);
+  const Matrix rows = padsInARow(bodies);
   const Vector stiffness = Vector::LinSpaced(bodies + 1, 1.0, 6.0), work = Vector::Zero(bodies);
   Vector x = work, y = Vector::Constant(bodies + 1, 0.05);
   TEST_ASSERT(UnilateralFoundation(rows, stiffness, work, 0.0).solve(x, y));
