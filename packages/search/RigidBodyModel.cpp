@@ -5,6 +5,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/search/PadModel.hpp>
 #include <suture/search/RigidBodyModel.hpp>
+#include <suture/search/SoftBodies.hpp>
 #include <suture/search/UnilateralFoundation.hpp>
 
 #include <algorithm>
@@ -138,7 +139,8 @@ ClosedSet RigidBodyModel::start() {
     if (!pairs_.canChange[i]) compliance_(i) = 1.0;
   Equilibrium pads;
   for (int round = 0; round < kPatchRounds; ++round) {
-    pads = project(pairs_.penetration);
+    Vector reached;
+    pads = soft_ ? soft_->project(pairs_.penetration, compliance_, reached) : project(pairs_.penetration);
     for (int i = 0; i < pairs(); ++i) set[i] = pads.force(i) > 0.0;
     if (set == last) break;
     last = set;
@@ -149,8 +151,9 @@ ClosedSet RigidBodyModel::start() {
   if (!pads.found) throw NumericalError("contact: the loads push a body away from all contacts that could hold it");
   double size = 0.0;
   for (int i = 0; i < pairs(); ++i) size = std::max(size, std::abs(pairs_.penetration(i)));
+  const Matrix& rows = soft_ ? soft_->data().rows : pairs_.rows;
   for (int i = 0; i < pairs(); ++i)
-    if (pairs_.canChange[i] && pairs_.rows.row(i).norm() < kDependentRows && pairs_.penetration(i) >= -kTouching * size) set[i] = 1;
+    if (pairs_.canChange[i] && rows.row(i).norm() < kDependentRows && pairs_.penetration(i) >= -kTouching * size) set[i] = 1;
   return set;
 }
 

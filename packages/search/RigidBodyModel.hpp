@@ -63,8 +63,8 @@ class RigidBodyModel {
   /// penetrations
   Vector leastMotion(const ClosedSet& carrying, const Vector& motion, const Vector& penetration) const;
 
-  /// The closed set at equilibrium from `penetration`; sets compliance(). Pairs between parts that cannot move rigidly have no pad force:
-  /// they are closed if they penetrate or touch.
+  /// The closed set at equilibrium from `penetration`, with soft supports if there are any; sets compliance(). Pairs between parts that
+  /// cannot move rigidly have no pad force: they are closed if they penetrate or touch.
   ClosedSet start();
 
   /// Orthonormal combinations of motions that leave all pairs of a set unchanged: motions x k.

@@ -14,6 +14,7 @@ class SoftBodies {
   /// \param pairs    with all motions;  \param springs  stiffness of the supports in each motion, zero in free ones [force / length]
   SoftBodies(RigidBodyModel::Pairs pairs, Vector springs) : rigid_(std::move(pairs)), springs_(std::move(springs)) {}
 
+  const RigidBodyModel::Pairs& data() const { return rigid_.data(); }
   /// True if a set leaves a motion to free space or to a soft support that all pairs together would stop.
   bool loosens(const PairStates& states) const { return rigid_.loosens(states); }
   /// Equilibrium on the pads from penetrations t. Supports act against further motion only: their present forces are small.
