@@ -49,6 +49,7 @@ ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr
   pairs.work = work(comm, subdomains, free_);
   bind(pairs);
   rigid_ = std::make_unique<RigidBodyModel>(std::move(pairs));
+  findSupportedMotions(comm, subdomains);
   findSoftMotions(comm, meshes, subdomains, pairStiffness, laws);
   findLoads(comm, subdomains);
   remember({});
@@ -80,10 +81,10 @@ void ContactBodies::Basis::add(Matrix ofPart) {
   motions.push_back(std::move(ofPart));
 }
 
-/// The free motions of all parts and those that only elastic supports hold, along the principal axes of the supports.
-/// \param springs  receives the stiffness of the supports in each motion, zero in free ones [force / length]. Collective.
-ContactBodies::Basis ContactBodies::withSoftMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                                                    Vector& springs) const {
+/// Finds the motions that only elastic supports hold. Collective.
+void ContactBodies::findSupportedMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) {
+  const bool any = std::any_of(parts_.begin(), parts_.end(), [](const RigidPart& part) { return part.soft.cols() > 0; });
+  if (!any || !rigid_->data().bound.empty()) return;
   const auto amplitudes = static_cast<Eigen::Index>(rigidMotions(dimension_));
   // A rigid motion deforms supports only: its energy is theirs.
   Matrix mine = Matrix::Zero(amplitudes, amplitudes * static_cast<Eigen::Index>(parts_.size())), energies = mine;
@@ -98,32 +99,30 @@ ContactBodies::Basis ContactBodies::withSoftMotions(const Comm& comm, const std:
     mine.block(0, amplitudes * partOf_[s], part.soft.cols(), part.soft.cols()) += moved.transpose() * (subdomain.stiffness() * moved);
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), energies.data());
-  Basis basis;
-  std::vector<double> all;
+  supported_.resize(parts_.size());
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const Eigen::Index soft = parts_[p].soft.cols();
-    Matrix motions = parts_[p].free;
-    all.insert(all.end(), static_cast<std::size_t>(motions.cols()), 0.0);
-    if (soft > 0) {
-      const Eigenpairs axes = symmetricEigenpairs(energies.block(0, amplitudes * static_cast<Eigen::Index>(p), soft, soft));
-      motions.conservativeResize(amplitudes, motions.cols() + soft);
-      motions.rightCols(soft) = parts_[p].soft * axes.vectors;
-      for (const double value : axes.values) all.push_back(std::max(value, 0.0));
-    }
-    basis.add(std::move(motions));
+    supported_[p].motions = Matrix(amplitudes, soft);
+    if (soft == 0) continue;
+    const Eigenpairs axes = symmetricEigenpairs(energies.block(0, amplitudes * static_cast<Eigen::Index>(p), soft, soft));
+    supported_[p].motions = parts_[p].soft * axes.vectors;
+    supported_[p].stiffness = axes.values.cwiseMax(0.0);
   }
-  springs = Eigen::Map<const Vector>(all.data(), static_cast<Eigen::Index>(all.size()));
-  return basis;
 }
 
-/// Sets the model with motions that only soft supports hold, if there are any. Only the search without friction uses it, and not for bodies
-/// that pairs bind together. Collective.
+/// Sets the model with motions that only soft supports hold, if there are any. Only the search without friction uses it. Collective.
 void ContactBodies::findSoftMotions(const Comm& comm, const Meshes& meshes, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                                     const std::map<int, double>& pairStiffness, const ContactLaws& laws) {
-  const bool any = std::any_of(parts_.begin(), parts_.end(), [](const RigidPart& part) { return part.soft.cols() > 0; });
-  if (!any || laws.restrictSliding() || !rigid_->data().bound.empty()) return;
-  Vector springs;
-  const Basis basis = withSoftMotions(comm, subdomains, springs);
+  if (supported_.empty() || laws.restrictSliding()) return;
+  Basis basis;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    Matrix motions(parts_[p].free.rows(), parts_[p].free.cols() + supported_[p].motions.cols());
+    motions << parts_[p].free, supported_[p].motions;
+    basis.add(std::move(motions));
+  }
+  Vector springs = Vector::Zero(basis.count);
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    springs.segment(basis.first[p] + parts_[p].free.cols(), supported_[p].stiffness.size()) = supported_[p].stiffness;
   RigidBodyModel::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws, basis);
   pairs.work = work(comm, subdomains, basis);
   // Stiff supports hold their motions: the deformation of the body is not small compared with them.

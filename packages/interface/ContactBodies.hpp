@@ -11,6 +11,12 @@
 
 namespace suture {
 
+/// Rigid motions of a part that only elastic supports hold. Plain.
+struct SupportedMotions {
+  Matrix motions;    ///< amplitudes x motions
+  Vector stiffness;  ///< of the supports in each motion [force / length]
+};
+
 /// The rigid motions of the connected parts of all bodies and their effect on contact pairs: the rigid model of a distributed scene.
 /// Replicated: all ranks know all parts and pairs.
 class ContactBodies {
@@ -43,6 +49,9 @@ class ContactBodies {
   const std::vector<char>& idle() const { return idle_; }
   /// Sets the largest forces on each body on the path of load steps so far, from which round-off is estimated. \param carried  empty: none
   void remember(const std::vector<BodyForces>& carried);
+  /// Motions of each part that only elastic supports hold, along the principal axes of the supports. Empty if there are none, or if pairs
+  /// bind bodies together.
+  const std::vector<SupportedMotions>& supported() const { return supported_; }
   /// Twice the largest energy that each part has had on that path; zero if unknown. [force length]
   const Vector& carriedEnergy() const { return carriedEnergy_; }
   /// Adds rigid motions (empty: none) to the free values of a subdomain of this rank.
@@ -66,7 +75,7 @@ class ContactBodies {
   void findSoftMotions(const Comm& comm, const Meshes& meshes, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                        const std::map<int, double>& pairStiffness, const ContactLaws& laws);
   Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const Basis& basis) const;
-  Basis withSoftMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, Vector& springs) const;
+  void findSupportedMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
   void findLoads(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
   int dimension_ = 2;
@@ -81,6 +90,7 @@ class ContactBodies {
   std::vector<char> idle_;
   std::vector<std::pair<int, int>> neighbours_;
   Vector carriedEnergy_;
+  std::vector<SupportedMotions> supported_;
 };
 
 }  // namespace suture

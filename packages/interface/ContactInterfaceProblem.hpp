@@ -2,6 +2,7 @@
 #include <suture/interface/ContactClusters.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/interface/PairForces.hpp>
+#include <suture/interface/SupportEnergy.hpp>
 #include <suture/interface/TraceMotions.hpp>
 #include <suture/pairs/ContactRow.hpp>
 #include <suture/partition/Partition.hpp>
@@ -112,6 +113,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   std::unique_ptr<ContactBodies> bodies_;  // null if no pair can change
   std::vector<int> partOfOwned_;
   std::unique_ptr<TraceMotions> motions_;
+  std::unique_ptr<SupportEnergy> supports_;
   std::vector<std::vector<int>> neighbours_;  // rows of neighbouring pairs: along lines, or around the cells of surfaces (-1: unknown)
   Matrix load_;                               // F on the overlap, complete
   double constantEnergy_ = 0.0;               // over all ranks

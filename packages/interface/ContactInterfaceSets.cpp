@@ -19,6 +19,7 @@ void ContactInterfaceProblem::findBodies() {
     for (const int place : space_->coupling(static_cast<int>(s)).columns())
       if (const int at = space_->ownedRow(place); at >= 0) partOfOwned_[at] = bodies_->partOf(static_cast<int>(s));
   motions_ = std::make_unique<TraceMotions>(*space_, *bodies_, subdomains_, partOfOwned_);
+  supports_ = std::make_unique<SupportEnergy>(*space_, *bodies_, subdomains_, partOfOwned_);
 }
 
 void ContactInterfaceProblem::separate(InterfaceState& state) const { move(state, motions_->takeOut(*state.trace)); }
@@ -89,11 +90,14 @@ Vector ContactInterfaceProblem::energies(const InterfaceState& state) const {
   int applications = 0;
   const Matrix out = rememberedImbalance(state, applications);
   const auto owned = localView(static_cast<const MultiVector&>(*state.trace));
-  Vector mine = Vector::Zero(static_cast<Eigen::Index>(bodies_->parts().size())), all = mine;
+  Vector mine = Vector::Zero(static_cast<Eigen::Index>(bodies_->parts().size())), all = mine, forces = Vector::Zero(owned.rows());
   for (int place = 0; place < space_->overlapSize(); ++place)
-    if (const int at = space_->ownedRow(place); at >= 0) mine(partOfOwned_[at]) += owned(at, 0) * (out(place, 0) + load_(place, 0));
+    if (const int at = space_->ownedRow(place); at >= 0) {
+      forces(at) = out(place, 0) + load_(place, 0);
+      mine(partOfOwned_[at]) += owned(at, 0) * forces(at);
+    }
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
+  return (all - supports_->of(forces)).cwiseMax(0.0);
 }
 
 std::vector<int> ContactInterfaceProblem::differing(const ContactStates& a, const ContactStates& b) const {

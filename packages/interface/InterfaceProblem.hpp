@@ -72,7 +72,7 @@ class ContactSets {
   virtual void separate(InterfaceState& state) const = 0;
   /// Applies the operator to fill the state's memory, unless it is filled. Returns the number of applications.
   virtual int remember(InterfaceState& state) const = 0;
-  /// U.S U of each part: twice the energy of its trace. [force length]
+  /// Twice the energy of the trace of each part, U.S U, without that of elastic supports in rigid motions. [force length]
   virtual Vector energies(const InterfaceState& state) const = 0;
 };
 

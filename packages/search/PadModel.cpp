@@ -11,7 +11,7 @@ namespace suture {
 namespace {
 
 constexpr int kSteps = 40;              // Newton steps before pads are softened
-constexpr int kManySteps = 300;         // Newton steps with the final stiffness after that
+constexpr int kManySteps = 300;         // Newton steps with the final stiffness after that, and on springs: 76 for 400 blocks
 constexpr double kTolerance = 1e-10;    // imbalance relative to the sum of forces at convergence
 constexpr double kRoughly = 1e-4;       // the same on softened pads
 constexpr double kAcceptable = 1e-6;    // imbalance that is accepted as equilibrium if it cannot be reduced further
@@ -206,15 +206,29 @@ PadModel::Equilibrium PadModel::associated(const Matrix& t, const Vector& compli
   return result;
 }
 
-PadModel::Equilibrium PadModel::unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance) {
+RigidBodyModel::Pairs PadModel::frictionless(const Matrix& rows, const Vector& work) {
   RigidBodyModel::Pairs pairs;
   pairs.rows = rows;
   pairs.work = work;
-  pairs.line.assign(static_cast<std::size_t>(t.size()), 0);
+  pairs.line.assign(static_cast<std::size_t>(rows.rows()), 0);
   pairs.canChange.assign(pairs.line.size(), 1);
+  return pairs;
+}
+
+PadModel::Equilibrium PadModel::unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance) {
+  const RigidBodyModel::Pairs pairs = frictionless(rows, work);
   Matrix from = Matrix::Zero(t.size(), 3);
   from.col(0) = t;
   return PadModel(pairs, std::vector<FrictionCone>(pairs.line.size())).associated(from, compliance);
+}
+
+Vector PadModel::leastRemainder(const Matrix& rows, const Vector& work) {
+  if (work.isZero(0.0)) return Vector::Zero(rows.rows());
+  const RigidBodyModel::Pairs pairs = frictionless(rows, work);
+  const PadModel model(pairs, std::vector<FrictionCone>(pairs.line.size()));
+  const Vector springs = Vector::Ones(work.size()), stiffness = model.rigidPads(springs);
+  Point at{Vector::Zero(work.size()), Matrix::Zero(rows.rows(), 3)};
+  return model.onSprings(at, stiffness, springs) ? Vector(model.forces(at.y, stiffness, nullptr).col(0)) : Vector();
 }
 
 PadModel::Equilibrium PadModel::coulomb(const Matrix& t, const Vector& compliance, const Vector& slip) const {
@@ -248,20 +262,30 @@ PadModel::Equilibrium PadModel::coulomb(const Matrix& t, const Vector& complianc
   }
 }
 
-Vector PadModel::unbalanced() const {
-  if (motions_ == 0 || data_.work.isZero(0.0)) return {};
-  // Springs follow the stiffness of each body. Pads are rigid compared with the springs of both bodies, however soft one of them is.
-  const Vector reference = this->reference(data_.stiffness), scale = reference.cwiseSqrt();
+/// Stiffness of pads that are rigid compared with the springs on the motions of both bodies, however soft one of them is.
+Vector PadModel::rigidPads(const Vector& springs) const {
   Vector stiffness = Vector::Ones(static_cast<Eigen::Index>(rows_.size()));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (rows_[i].motions.empty()) continue;
     double& own = stiffness(static_cast<Eigen::Index>(i)) = 0.0;
-    for (const int motion : rows_[i].motions) own = std::max(own, reference(motion) / kRigid);
+    for (const int motion : rows_[i].motions) own = std::max(own, springs(motion) / kRigid);
   }
-  Point at{Vector::Zero(motions_), Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 3)};
+  return stiffness;
+}
+
+/// Equilibrium on springs and pads, from stiff springs to the given ones. False: not found.
+bool PadModel::onSprings(Point& at, const Vector& stiffness, const Vector& springs) const {
   bool found = false;
-  for (const double spring : {1e9, 1e6, 1e3, 1.0}) found = newton(at, stiffness, spring * reference, kSteps, kBalanced);
-  if (!found) return {};
+  for (const double stiffer : {1e9, 1e6, 1e3, 1.0}) found = newton(at, stiffness, stiffer * springs, kManySteps, kBalanced);
+  return found;
+}
+
+Vector PadModel::unbalanced() const {
+  if (motions_ == 0 || data_.work.isZero(0.0)) return {};
+  // Springs follow the stiffness of each body.
+  const Vector reference = this->reference(data_.stiffness), scale = reference.cwiseSqrt();
+  Point at{Vector::Zero(motions_), Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 3)};
+  if (!onSprings(at, rigidPads(reference), reference)) return {};
   const double rest = at.motion.cwiseProduct(scale).norm(), loads = data_.work.cwiseQuotient(scale).norm();
   return rest > kUnbalanced * loads && data_.work.dot(at.motion) > 0.0 ? Vector(at.motion.normalized()) : Vector();
 }

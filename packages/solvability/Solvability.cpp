@@ -23,7 +23,8 @@ constexpr double noMotion = 1e-8;  // relative to a unit amplitude
 // Largest change of a gap, relative to the amplitude of the motion, that counts as zero: a round body that turns in its seat changes gaps
 // by the inaccuracy of mesh coordinates (normals of nodes that Gmsh puts on circles are accurate to 1e-8).
 constexpr double noOpening = 1e-6;
-constexpr double kBalanced = 1e-9;  // imbalance of pads, relative to the loads, at which they prove that contact holds all bodies
+constexpr double kBalanced = 1e-9;    // imbalance of pads, relative to the loads, at which they prove that contact holds all bodies
+constexpr double kUnbalanced = 1e-4;  // least remainder, relative to the loads, that is no error of rigid pads (PadModel)
 
 // The simplest motion in a space of amplitudes (orthonormal columns): a translation if there is one, along an axis if possible.
 std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
@@ -111,14 +112,10 @@ Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const Conta
   return rows;
 }
 
-/// Motions that keep all gaps: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed: no contact force balances
-/// loads along them.
+/// Motions that keep all gaps: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed, except from rows of many
+/// bodies, which must stay sparse.
 Matrix slidingMotions(Matrix& rows) {
-  if (rows.cols() > kMostDense) {
-    const Matrix sliding = sparseNullSpace(rows.sparseView(), noOpening);
-    if (sliding.cols() > 0) rows -= (rows * sliding) * sliding.transpose();
-    return sliding;
-  }
+  if (rows.cols() > kMostDense) return sparseNullSpace(rows.sparseView(), noOpening);
   const SingularValues svd = singularValues(rows);
   Eigen::Index held = std::min(rows.rows(), rows.cols());
   while (held > 0 && (rows * svd.v.col(held - 1)).lpNorm<Eigen::Infinity>() <= noOpening) --held;
@@ -127,14 +124,30 @@ Matrix slidingMotions(Matrix& rows) {
   return sliding;
 }
 
-/// Forces p >= 0 with the least remainder of rows^T p = work. Many bodies: forces of elastic pads, which cost less, if they balance the
-/// loads.
-Vector balancingForces(const Matrix& rows, const Vector& work) {
-  if (rows.cols() > kMostDense) {
-    const PadModel::Equilibrium pads = PadModel::unilateral(rows, work, Vector::Zero(rows.rows()), Vector::Ones(rows.rows()));
-    if (pads.found && (rows.transpose() * pads.force.col(0) - work).norm() <= kBalanced * work.norm()) return pads.force.col(0);
+/// What remains of the loads' work after contact forces p >= 0 with the least remainder. No contact force balances loads along sliding
+/// motions. \param contact  receives p
+Vector unbalancedWork(const Matrix& rows, const Matrix& sliding, const Vector& work, Vector& contact) {
+  const auto along = [&](const Vector& v) { return Vector(sliding * (sliding.transpose() * v)); };
+  const Vector free = along(work), stopped = work - free;
+  const auto remainder = [&] {
+    const Vector rest = stopped - rows.transpose() * contact;
+    return Vector(rest - along(rest));
+  };
+  if (rows.cols() <= kMostDense) {
+    contact = nonnegativeLeastSquares(rows.transpose(), stopped);
+    return remainder() + free;
   }
-  return nonnegativeLeastSquares(rows.transpose(), work);
+  // Many bodies: elastic pads, which prove an equilibrium to more digits than the least remainder.
+  const PadModel::Equilibrium pads = PadModel::unilateral(rows, stopped, Vector::Zero(rows.rows()), Vector::Ones(rows.rows()));
+  contact = pads.force.col(0);
+  if (pads.found && remainder().norm() <= kBalanced * work.norm()) return remainder() + free;
+  contact = PadModel::leastRemainder(rows, stopped);
+  if (contact.size() == 0) {  // nothing is proved
+    contact = Vector::Zero(rows.rows());
+    return free;
+  }
+  const Vector rest = remainder();
+  return rest.norm() <= kUnbalanced * work.norm() ? free : Vector(rest + free);
 }
 
 void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
@@ -217,8 +230,8 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
   const Matrix sliding = slidingMotions(rows);
   const double loads = force.sum();
   if (loads > 0) {
-    const Vector contact = balancingForces(rows, work / loads);
-    const Vector escape = work / loads - rows.transpose() * contact;
+    Vector contact;
+    const Vector escape = unbalancedWork(rows, sliding, work / loads, contact);
     for (std::size_t p = 0; p < generators.pair.size(); ++p)
       for (const PairEnd& end : constraints.pairs[generators.pair[p]].ends)
         force[rigid.partOfNode[end.node]] += loads * contact[Eigen::Index(p)] * std::abs(end.weight);

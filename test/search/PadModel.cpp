@@ -1,4 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/search/PadModel.hpp>
 
 #include <cmath>
@@ -187,6 +188,21 @@ TEUCHOS_UNIT_TEST(PadModel, SoftPadsBalanceLoadsBesideStiffOnes) {
     pairs.rows(1, 0) = 1.0;  // both press the same way
     pairs.work = Vector::Constant(1, -1.0);
     TEST_EQUALITY(PadModel(pairs, std::vector<FrictionCone>(2)).unbalanced().size(), 1);
+  }
+}
+
+TEUCHOS_UNIT_TEST(PadModel, LeavesTheLeastRemainder) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> value;
+  for (int scene = 0; scene < 200; ++scene) {
+    const int motions = 2 + scene % 9, pairs = 1 + scene % 13;
+    const Matrix rows = Matrix::NullaryExpr(pairs, motions, [&] { return value(random); });
+    const Vector work = Vector::NullaryExpr(motions, [&] { return value(random); });
+    const Vector force = PadModel::leastRemainder(rows, work);
+    TEST_EQUALITY(force.size(), pairs);
+    TEST_COMPARE(force.minCoeff(), >=, 0.0);
+    const Vector rest = work - rows.transpose() * force, least = work - rows.transpose() * nonnegativeLeastSquares(rows.transpose(), work);
+    TEST_COMPARE((rest - least).norm(), <=, 1e-5 * work.norm());
   }
 }
 

@@ -182,6 +182,77 @@ std::string verdictOfPull(double pull, const LawPtr& law, double weight = 1e4) {
   return verdict(scene);
 }
 
+/// Blocks side by side in one row on a fixed floor, each pair of neighbours in contact: so many that sparse methods are used.
+Scene rowOfBlocks(int count) {
+  std::vector<Box> all;
+  Box floor{"floor", 0, double(count), -1, 0, count, 1};
+  all.push_back(floor);
+  for (int i = 0; i < count; ++i) all.push_back({"b" + std::to_string(i), double(i), double(i + 1), 0, 1, 1, 1});
+  Scene scene = scenes::fromBoxes(all);
+  scene.hold("floor_bottom", 0, 0.0);
+  scene.hold("floor_bottom", 1, 0.0);
+  const auto add = [&](int a, int b, Point normal) {
+    ContactPair pair;
+    pair.id = int(scene.constraints.pairs.size());
+    pair.ends = {{a, 1.0}, {b, -1.0}};
+    pair.normal = normal;
+    pair.position = scene.mesh.point(a);
+    pair.length = 1.0;
+    scene.constraints.pairs.push_back(pair);
+  };
+  const auto at = [&](const std::string& group, double x, double y) {
+    for (const int node : scene.nodesOf(group))
+      if (std::abs(scene.mesh.point(node)[0] - x) + std::abs(scene.mesh.point(node)[1] - y) < 1e-9) return node;
+    return -1;
+  };
+  for (int i = 0; i < count; ++i) {
+    const std::string own = "b" + std::to_string(i), next = "b" + std::to_string(i + 1);
+    for (const double x : {i + 0.0, i + 1.0}) add(at("floor_top", x, 0), at(own + "_bottom", x, 0), {0, 1, 0});
+    for (const double y : {0.0, 1.0})
+      if (i + 1 < count) add(at(own + "_right", i + 1.0, y), at(next + "_left", i + 1.0, y), {1, 0, 0});
+    scene.pressure(own + "_top", 1.0);
+  }
+  return scene;
+}
+
+// The loads of many blocks are balanced by sparse pads. Refusals must agree with statics, as those of few blocks do.
+TEUCHOS_UNIT_TEST(Solvability, FindsTheMotionsOfManyBlocks) {
+  const int count = 40;
+  const auto bodies = [&](const std::string& text) {
+    int named = 0;
+    for (int i = 0; i < count; ++i) named += says(text, "body 'b" + std::to_string(i) + "'");
+    return named;
+  };
+  const auto push = [&](Scene& scene, double x) {
+    for (int i = 0; i < count; ++i) scene.traction("b" + std::to_string(i) + "_top", {x, 0, 0});
+  };
+  Scene held = rowOfBlocks(count);  // against a stop at the right end
+  held.hold("b" + std::to_string(count - 1) + "_right", 0, 0.0);
+  push(held, 0.1);
+  TEST_EQUALITY(verdict(held), "");
+
+  Scene pulled = rowOfBlocks(count);  // away from it
+  pulled.hold("b" + std::to_string(count - 1) + "_right", 0, 0.0);
+  push(pulled, -0.1);
+  const std::string away = verdict(pulled);
+  TEST_EQUALITY(bodies(away), count - 1);
+  TEST_ASSERT(says(away, "body 'b0' can move to the left (-1, 0): the loads push it there"));
+
+  Scene sliding = rowOfBlocks(count);  // no stop: the whole row slides
+  push(sliding, 0.1);
+  const std::string together = verdict(sliding);
+  TEST_EQUALITY(bodies(together), count);
+  TEST_ASSERT(says(together, "body 'b7' can move to the right (1, 0): the loads push it there"));
+
+  Scene lifted = rowOfBlocks(count);  // one block is lifted
+  lifted.hold("b" + std::to_string(count - 1) + "_right", 0, 0.0);
+  push(lifted, 0.1);
+  lifted.pressure("b5_top", -3.0);
+  const std::string up = verdict(lifted);
+  TEST_EQUALITY(bodies(up), 1);
+  TEST_ASSERT(says(up, "body 'b5' can"));
+}
+
 TEUCHOS_UNIT_TEST(Solvability, FrictionHoldsUpToItsConeAndCohesionUpToTheSolversLimit) {
   TEST_ASSERT(says(verdictOfPull(0.3, std::make_shared<Frictionless>()), "move to the right"));
   TEST_ASSERT(says(verdictOfPull(0.3, dry(0.0, 0.0)), "move to the right"));
