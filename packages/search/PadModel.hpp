@@ -35,8 +35,8 @@ class PadModel {
   Equilibrium coulomb(const Matrix& t, const Vector& compliance, const Vector& slip = {}) const;
   /// Equilibrium of rigid bodies on unilateral pads without friction. \param rows  pairs x motions;  \param t  penetrations [length]
   static Equilibrium unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance);
-  /// Forces p >= 0 with the least remainder |work - rows^T p|, to about five digits. Rigid pads and soft springs on the motions: the springs
-  /// take the remainder. \param rows  pairs x motions.  Empty: Newton's method did not converge
+  /// Forces p >= 0 with the least remainder |work - rows^T p|, to about five digits. Rigid pads and soft springs on the motions: the
+  /// springs take the remainder. \param rows  pairs x motions.  Empty: Newton's method did not converge
   static Vector leastRemainder(const Matrix& rows, const Vector& work);
 
   /// Limit analysis (static theorem): a unit motion in which the loads do more work than all forces in the cones can resist; empty if
