@@ -14,7 +14,7 @@ namespace suture {
 /// Rigid motions of a part that only elastic supports hold. Plain.
 struct SupportedMotions {
   Matrix motions;    ///< amplitudes x motions
-  Vector stiffness;  ///< of the supports in each motion [force / length]
+  Vector stiffness;  ///< stiffness of the supports in each motion [force / length]
 };
 
 /// The rigid motions of the connected parts of all bodies and their effect on contact pairs: the rigid model of a distributed scene.

@@ -124,7 +124,7 @@ Matrix slidingMotions(Matrix& rows) {
   return sliding;
 }
 
-/// What remains of the loads' work after contact forces p >= 0 with the least remainder. No contact force balances loads along sliding
+/// The loads' work that contact forces p >= 0 with the least remainder leave unbalanced. No contact force balances loads along sliding
 /// motions. \param contact  receives p
 Vector unbalancedWork(const Matrix& rows, const Matrix& sliding, const Vector& work, Vector& contact) {
   const auto along = [&](const Vector& v) { return Vector(sliding * (sliding.transpose() * v)); };
