@@ -52,6 +52,28 @@ Matrix rowsAt(const Matrix& matrix, const std::vector<int>& positions) {
   return rows;
 }
 
+SparseRows rowsAt(const SparseRows& matrix, const std::vector<int>& positions) {
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    for (SparseRows::InnerIterator entry(matrix, positions[i]); entry; ++entry)
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(entry.col()), entry.value());
+  SparseRows rows(static_cast<Eigen::Index>(positions.size()), matrix.cols());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+SparseRows columnsAt(const SparseRows& matrix, const std::vector<int>& positions) {
+  std::vector<int> place(static_cast<std::size_t>(matrix.cols()), -1);
+  for (std::size_t k = 0; k < positions.size(); ++k) place[static_cast<std::size_t>(positions[k])] = static_cast<int>(k);
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (int i = 0; i < static_cast<int>(matrix.rows()); ++i)
+    for (SparseRows::InnerIterator entry(matrix, i); entry; ++entry)
+      if (const int column = place[static_cast<std::size_t>(entry.col())]; column >= 0) entries.emplace_back(i, column, entry.value());
+  SparseRows columns(matrix.rows(), static_cast<Eigen::Index>(positions.size()));
+  columns.setFromTriplets(entries.begin(), entries.end());
+  return columns;
+}
+
 std::vector<int> complement(int size, const std::vector<int>& some) {
   std::vector<char> taken(size, 0);
   for (int i : some) taken[i] = 1;

@@ -194,7 +194,7 @@ ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector
   const Vector gap = moved.size() > 0 ? Vector(rows_.gap - moved) : rows_.gap;
   const Vector open = rows_.rows * v.col(0) - gap;
   RigidBodyModel::Pairs data;
-  data.rows = rigidRows_;
+  data.rows = rigidRows_.sparseView();
   data.work = work;
   data.penetration = -gap;
   data.stiffness = kPointCompliance * compliance_.diagonal().cwiseInverse();

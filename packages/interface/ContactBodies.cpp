@@ -125,14 +125,15 @@ void ContactBodies::findSoftMotions(const Comm& comm, const Meshes& meshes, cons
     springs.segment(basis.first[p] + parts_[p].free.cols(), supported_[p].stiffness.size()) = supported_[p].stiffness;
   RigidBodyModel::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws, basis);
   pairs.work = work(comm, subdomains, basis);
+  const Vector pads = pairs.rows.cwiseAbs2().transpose() * pairs.stiffness;
   // Stiff supports hold their motions: the deformation of the body is not small compared with them.
   std::vector<int> kept;
   for (Eigen::Index k = 0; k < springs.size(); ++k)
-    if (springs(k) <= SoftBodies::kSoft * pairs.rows.col(k).cwiseAbs2().dot(pairs.stiffness)) kept.push_back(static_cast<int>(k));
+    if (springs(k) <= SoftBodies::kSoft * pads(k)) kept.push_back(static_cast<int>(k));
   springs = springs(kept).eval();
   if (springs.isZero(0.0)) return;
-  pairs.rows = pairs.rows(Eigen::all, kept).eval();
-  for (Matrix& tangent : pairs.tangents) tangent = tangent(Eigen::all, kept).eval();
+  pairs.rows = columnsAt(pairs.rows, kept);
+  for (SparseRows& tangent : pairs.tangents) tangent = columnsAt(tangent, kept);
   pairs.work = pairs.work(kept).eval();
   rigid_->setSoft(std::make_shared<SoftBodies>(std::move(pairs), std::move(springs)));
 }
@@ -144,21 +145,19 @@ void ContactBodies::bind(RigidBodyModel::Pairs& pairs) {
   for (std::size_t i = 0; i < pairs.bound.size(); ++i)
     if (pairs.bound[i]) bound.push_back(static_cast<int>(i));
   const auto count = static_cast<Eigen::Index>(bound.size());
-  Matrix kept(count * static_cast<Eigen::Index>(1 + pairs.tangents.size()), free_.count);
-  kept.topRows(count) = pairs.rows(bound, Eigen::all);
-  for (std::size_t t = 0; t < pairs.tangents.size(); ++t)
-    kept.middleRows(count * static_cast<Eigen::Index>(1 + t), count) = pairs.tangents[t](bound, Eigen::all);
+  std::vector<SparseRows*> components{&pairs.rows};
+  for (SparseRows& tangent : pairs.tangents) components.push_back(&tangent);
+  Matrix kept(count * static_cast<Eigen::Index>(components.size()), free_.count);
+  for (std::size_t c = 0; c < components.size(); ++c)
+    kept.middleRows(count * static_cast<Eigen::Index>(c), count) = rowsAt(*components[c], bound);
   if (free_.count > 0 && !kept.isZero(kKept)) {
     areBound_ = true;
     together_ = nullSpace(kept, kKept);
-    pairs.rows = pairs.rows * together_;
-    for (Matrix& tangent : pairs.tangents) tangent = tangent * together_;
+    for (SparseRows* rows : components) *rows = Matrix(*rows * together_).sparseView();
     pairs.work = together_.transpose() * pairs.work;
   }
-  for (const int i : bound) {
-    pairs.rows.row(i).setZero();
-    for (Matrix& tangent : pairs.tangents) tangent.row(i).setZero();
-  }
+  for (SparseRows* rows : components)
+    rows->prune([&](Eigen::Index row, Eigen::Index, double) { return !pairs.bound[static_cast<std::size_t>(row)]; });
 }
 
 RigidBodyModel::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
@@ -213,7 +212,6 @@ RigidBodyModel::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes&
   }
   const int count = own.empty() ? 0 : own.rbegin()->first + 1;
   RigidBodyModel::Pairs pairs;
-  pairs.rows = Matrix::Zero(count, basis.count);
   pairs.penetration = Vector::Zero(count);
   pairs.stiffness = Vector::Ones(count);
   pairs.line.assign(count, -1);
@@ -229,21 +227,28 @@ RigidBodyModel::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes&
     pairs.bound.resize(count, 0);
     pairs.bound[id] = 1;
   }
+  std::vector<std::vector<Eigen::Triplet<double, int>>> entries(static_cast<std::size_t>(dimension_));  // by component
   for (const auto& entry : terms) {
     const Term& term = entry.second;
     const Eigen::Map<const Vector> row(term.amplitudes, amplitudes);
-    const Matrix& motions = basis.motions[term.part];
-    const int first = basis.first[term.part];
+    const Vector effect = basis.motions[term.part].transpose() * row;
+    for (int k = 0; k < static_cast<int>(effect.size()); ++k)
+      entries[static_cast<std::size_t>(term.component)].emplace_back(term.pair, basis.first[term.part] + k, effect(k));
     if (term.component > 0) {
-      if (pairs.tangents.empty()) pairs.tangents.assign(std::size_t(dimension_ - 1), Matrix::Zero(count, basis.count));
-      pairs.tangents[std::size_t(term.component - 1)].row(term.pair).segment(first, motions.cols()) += row.transpose() * motions;
+      pairs.tangents.resize(static_cast<std::size_t>(dimension_ - 1));
       continue;
     }
-    pairs.rows.row(term.pair).segment(first, motions.cols()) += row.transpose() * motions;
     pairs.penetration(term.pair) += row.dot(lift_[term.part]);
     std::vector<int>& bodies = pairs.bodies[term.pair];
     if (std::find(bodies.begin(), bodies.end(), term.part) == bodies.end()) bodies.push_back(term.part);
   }
+  const auto fill = [&](SparseRows& rows, std::size_t component) {
+    rows.resize(count, basis.count);
+    rows.setFromTriplets(entries[component].begin(), entries[component].end());
+    rows.prune(0.0);
+  };
+  fill(pairs.rows, 0);
+  for (std::size_t t = 0; t < pairs.tangents.size(); ++t) fill(pairs.tangents[t], t + 1);
   return pairs;
 }
 

@@ -98,21 +98,25 @@ void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, cons
   const RigidBodyModel::Pairs& data = bodies_->rigid().data();
   if (data.tangents.empty() || bodies_->rigid().motions() == 0) return;
   PairStates states = statesOf(status);
-  Matrix springs(static_cast<Eigen::Index>(states.size()), bodies_->rigid().motions());
-  Eigen::Index count = 0;
+  std::vector<Eigen::Triplet<double, int>> entries;
+  int count = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!(states[i].transverseStiffness > 0.0)) continue;
     const Point across = acrossSlip(states[i]);
     const auto at = static_cast<Eigen::Index>(i);
-    springs.row(count) = std::sqrt(states[i].transverseStiffness) * across[1] * data.tangents[0].row(at);
-    if (data.tangents.size() == 2) springs.row(count) += std::sqrt(states[i].transverseStiffness) * across[2] * data.tangents[1].row(at);
+    for (std::size_t k = 0; k < data.tangents.size(); ++k)
+      for (SparseRows::InnerIterator entry(data.tangents[k], at); entry; ++entry)
+        entries.emplace_back(count, static_cast<int>(entry.col()),
+                             std::sqrt(states[i].transverseStiffness) * across[k + 1] * entry.value());
     ++count;
     states[i].transverseStiffness = 0.0;
   }
   if (count == 0) return;
   const Matrix loose = bodies_->rigid().loose(states);
   if (loose.cols() == 0) return;
-  const Matrix held = springs.topRows(count) * loose;
+  SparseMatrix springs(count, bodies_->rigid().motions());
+  springs.setFromTriplets(entries.begin(), entries.end());
+  const Matrix held = springs * loose;
   tangent.motionEnergy = held.transpose() * held;
   tangent.motions = space.vector(static_cast<int>(loose.cols()));
   auto owned = localView(*tangent.motions);

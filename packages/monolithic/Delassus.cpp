@@ -81,7 +81,7 @@ Delassus::Delassus(const CondensedContact& problem)
 
 RigidBodyModel Delassus::rigidBodyModel() const {
   RigidBodyModel::Pairs pairs;
-  pairs.rows = g_;
+  pairs.rows = g_.sparseView();
   pairs.work = work_;
   pairs.penetration = gapless_;
   pairs.stiffness = Vector::Ones(rows_);

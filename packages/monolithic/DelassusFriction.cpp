@@ -44,7 +44,6 @@ DelassusFriction::DelassusFriction(const CondensedContact& problem, const Delass
   free_ = Matrix::Identity(delassus.motions().cols(), delassus.motions().cols());
   if (free_.cols() > 0 && !bound.empty()) free_ = nullSpace(delassus.motions()(bound, Eigen::all), kDependent);
   const Matrix motions = delassus.motions() * free_;
-  data.rows = Matrix::Zero(pairs, motions.cols());
   data.work = free_.transpose() * delassus.work();
   data.penetration = Vector::Zero(pairs);
   data.stiffness = Vector::Ones(pairs);
@@ -52,11 +51,11 @@ DelassusFriction::DelassusFriction(const CondensedContact& problem, const Delass
   data.bound.assign(pairs, 0);
   int tangents = 0;
   for (const CondensedContact::Pair& pair : problem.pairs) tangents = std::max(tangents, pair.rows - 1);
-  data.tangents.assign(tangents, Matrix::Zero(pairs, motions.cols()));
+  std::vector<Matrix> effects(1 + tangents, Matrix::Zero(pairs, motions.cols()));  // by component
   for (int p = 0; p < pairs; ++p) {
     const CondensedContact::Pair& pair = problem.pairs[p];
     const bool free = !problem.dofs[pair.first].empty();
-    data.rows.row(p) = motions.row(pair.first);
+    for (int k = 0; k < pair.rows; ++k) effects[k].row(p) = motions.row(pair.first + k);
     data.penetration(p) = delassus.open()(pair.first);
     data.stiffness(p) = kOwnElements / local_(pair.first);
     data.bodies.push_back(delassus.blocksOf(pair.first));
@@ -65,7 +64,6 @@ DelassusFriction::DelassusFriction(const CondensedContact& problem, const Delass
     double compliance = 0.0;
     int moving = 0;
     for (int k = 1; k < pair.rows; ++k) {
-      data.tangents[k - 1].row(p) = motions.row(pair.first + k);
       if (problem.dofs[pair.first + k].empty()) continue;
       compliance += local_(pair.first + k);
       ++moving;
@@ -75,6 +73,8 @@ DelassusFriction::DelassusFriction(const CondensedContact& problem, const Delass
     data.line.push_back(static_cast<int>(same - laws.begin()));
     if (same == laws.end()) laws.emplace_back(std::shared_ptr<const ContactLaw>(), pair.law);  // owned by the caller
   }
+  data.rows = effects[0].sparseView();
+  for (int k = 1; k <= tangents; ++k) data.tangents.emplace_back(effects[k].sparseView());
   laws_ = ContactLaws(std::move(laws));
   rigid_ = std::make_unique<RigidBodyModel>(std::move(data));
 }

@@ -19,7 +19,7 @@ constexpr double kStart = 0.7;     // least multiple for which a mechanism is ex
 }  // namespace
 
 Vector Collapse::slipOf(std::size_t pair, const Vector& motion) const {
-  const std::vector<Matrix>& tangents = rigid_.data().tangents;
+  const std::vector<SparseRows>& tangents = rigid_.data().tangents;
   Vector slip = Vector::Zero(2);
   for (std::size_t k = 0; k < tangents.size(); ++k)
     slip(static_cast<Eigen::Index>(k)) = tangents[k].row(static_cast<Eigen::Index>(pair)).dot(motion);
@@ -95,7 +95,7 @@ Vector Collapse::steepest(const ClosedSet& closed, const Vector& normal, const M
       const auto at = static_cast<Eigen::Index>(i);
       const double weight = bound(i, slips[i], normal(at)) / std::hypot(slips[i].norm(), kRound * largest);
       if (!std::isfinite(weight)) continue;
-      for (const Matrix& tangent : rigid_.data().tangents) {
+      for (const SparseRows& tangent : rigid_.data().tangents) {
         const Vector row = (tangent.row(at) * mechanisms).transpose();
         a += weight * row * row.transpose();
       }
@@ -142,7 +142,7 @@ PairStates Collapse::sliding(const ClosedSet& closed, const Vector& normal, cons
     for (std::size_t i = 0; i < states.size(); ++i) {
       if (!closed[i] || states[i].status == PairStatus::Stick || laws_.of(rigid_.data().line[i]).rows(2) < 2) continue;
       double moved = 0.0;
-      for (const Matrix& tangent : rigid_.data().tangents)
+      for (const SparseRows& tangent : rigid_.data().tangents)
         moved = std::max(moved, (tangent.row(static_cast<Eigen::Index>(i)) * loose).norm());
       if (moved <= kDependentRows) continue;
       if (const double held = moved * std::max(normal(static_cast<Eigen::Index>(i)), 0.0); best == states.size() || held > most)

@@ -45,7 +45,7 @@ void DelassusProblem::solveSaddle(const std::vector<int>& closed) {
   Matrix w = compliance_(closed, closed);
   w = (scale.asDiagonal() * w * scale.asDiagonal()).eval();
   const Matrix lower = factorOf(w);
-  const Matrix rows = rigid_.data().rows(closed, Eigen::all);
+  const Matrix rows = rowsAt(rigid_.data().rows, closed);
   const Matrix stopped = rows.cols() > 0 ? orthonormalBasis(Matrix(rows.transpose()), 1e-9) : Matrix(0, 0);
   Matrix g = scale.asDiagonal() * (rows * stopped);
   const Vector columns = g.colwise().norm().cwiseInverse();

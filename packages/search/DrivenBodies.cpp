@@ -19,22 +19,24 @@ constexpr double kNoWorkDriven = 1e-11;  // excess of the loads that counts as z
 Vector DrivenBodies::motion(const ContactBalance& balance, const PairStates& next, const Matrix& free) const {
   const RigidBodyModel::Pairs& data = rigid_.data();
   Vector beyond = Vector::Zero(rigid_.motions()), parts = beyond;
-  const auto add = [&](const Vector& forces) {
-    beyond += forces;
-    parts += forces.cwiseAbs();
+  const auto add = [&](double force, const SparseRows& rows, Eigen::Index pair) {
+    for (SparseRows::InnerIterator entry(rows, pair); entry; ++entry) {
+      beyond(entry.col()) += force * entry.value();
+      parts(entry.col()) += std::abs(force * entry.value());
+    }
   };
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (!data.canChange[i]) continue;
     const auto at = static_cast<Eigen::Index>(i);
     const ContactState& state = next[i];
-    if (!state.closed()) add(balance.force(at, 0) * data.rows.row(at).transpose());
+    if (!state.closed()) add(balance.force(at, 0), data.rows, at);
     for (std::size_t k = 0; k < data.tangents.size(); ++k) {
       const auto component = static_cast<Eigen::Index>(k + 1);
       const double allowed = !state.closed() ? 0.0
                              : state.status == PairStatus::Stick && projection_.rubs(i)
                                  ? balance.force(at, component)
                                  : state.largest(balance.force(at, 0)) * state.direction[k + 1];
-      add((balance.force(at, component) - allowed) * data.tangents[k].row(at).transpose());
+      add(balance.force(at, component) - allowed, data.tangents[k], at);
     }
   }
   const Vector motion = free * (free.transpose() * beyond);

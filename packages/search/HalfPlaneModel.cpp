@@ -26,7 +26,7 @@ ClosedSet solveWindow(const RigidBodyModel& rigid, int first, int last, const Ve
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) compliance(i, j) = std::sqrt(local(i) * local(j)) * (far + (i == j ? kSelf : -std::log(std::abs(i - j))));
   const Vector open = penetration.segment(first, n) + compliance * force.segment(first, n);
-  RigidBodyModel::Pairs pairs{Matrix(n, 0), Vector(0), open, rigid.data().stiffness.segment(first, n), std::vector<int>(n, 0), {}, {}};
+  RigidBodyModel::Pairs pairs{SparseRows(n, 0), Vector(0), open, rigid.data().stiffness.segment(first, n), std::vector<int>(n, 0), {}, {}};
   pairs.canChange.assign(rigid.data().canChange.begin() + first, rigid.data().canChange.begin() + last);
   RigidBodyModel pads(std::move(pairs));
   DelassusProblem problem(pads, compliance, open, {});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace suture {
 
@@ -36,12 +37,14 @@ PadModel::PadModel(const RigidBodyModel::Pairs& data, std::vector<FrictionCone> 
     : data_(data), cones_(std::move(cones)), rows_(data.line.size()), motions_(static_cast<int>(data.work.size())) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (!data.canChange[i]) continue;
-    const auto at = static_cast<Eigen::Index>(i);
-    for (int k = 0; k < motions_; ++k) {
-      Eigen::Vector3d effect(data.rows(at, k), 0.0, 0.0);
-      for (std::size_t t = 0; t < data.tangents.size(); ++t) effect(static_cast<Eigen::Index>(t + 1)) = data.tangents[t](at, k);
-      if (effect.isZero(0.0)) continue;
-      rows_[i].motions.push_back(k);
+    std::map<int, Eigen::Vector3d> effects;
+    for (std::size_t component = 0; component <= data.tangents.size(); ++component)
+      for (SparseRows::InnerIterator entry(component == 0 ? data.rows : data.tangents[component - 1], static_cast<Eigen::Index>(i)); entry;
+           ++entry)
+        effects.try_emplace(static_cast<int>(entry.col()), Eigen::Vector3d::Zero()).first->second(static_cast<Eigen::Index>(component)) =
+            entry.value();
+    for (const auto& [motion, effect] : effects) {
+      rows_[i].motions.push_back(motion);
       rows_[i].effects.push_back(effect);
     }
   }
@@ -206,7 +209,7 @@ PadModel::Equilibrium PadModel::associated(const Matrix& t, const Vector& compli
   return result;
 }
 
-RigidBodyModel::Pairs PadModel::frictionless(const Matrix& rows, const Vector& work) {
+RigidBodyModel::Pairs PadModel::frictionless(const SparseRows& rows, const Vector& work) {
   RigidBodyModel::Pairs pairs;
   pairs.rows = rows;
   pairs.work = work;
@@ -215,14 +218,14 @@ RigidBodyModel::Pairs PadModel::frictionless(const Matrix& rows, const Vector& w
   return pairs;
 }
 
-PadModel::Equilibrium PadModel::unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance) {
+PadModel::Equilibrium PadModel::unilateral(const SparseRows& rows, const Vector& work, const Vector& t, const Vector& compliance) {
   const RigidBodyModel::Pairs pairs = frictionless(rows, work);
   Matrix from = Matrix::Zero(t.size(), 3);
   from.col(0) = t;
   return PadModel(pairs, std::vector<FrictionCone>(pairs.line.size())).associated(from, compliance);
 }
 
-Vector PadModel::leastRemainder(const Matrix& rows, const Vector& work) {
+Vector PadModel::leastRemainder(const SparseRows& rows, const Vector& work) {
   if (work.isZero(0.0)) return Vector::Zero(rows.rows());
   const RigidBodyModel::Pairs pairs = frictionless(rows, work);
   const PadModel model(pairs, std::vector<FrictionCone>(pairs.line.size()));

@@ -34,10 +34,10 @@ class PadModel {
   /// \param slip  initial guess of |slip| per pair, or empty
   Equilibrium coulomb(const Matrix& t, const Vector& compliance, const Vector& slip = {}) const;
   /// Equilibrium of rigid bodies on unilateral pads without friction. \param rows  pairs x motions;  \param t  penetrations [length]
-  static Equilibrium unilateral(const Matrix& rows, const Vector& work, const Vector& t, const Vector& compliance);
+  static Equilibrium unilateral(const SparseRows& rows, const Vector& work, const Vector& t, const Vector& compliance);
   /// Forces p >= 0 with the least remainder |work - rows^T p|, to about five digits. Rigid pads and soft springs on the motions: the
   /// springs take the remainder. \param rows  pairs x motions.  Empty: Newton's method did not converge
-  static Vector leastRemainder(const Matrix& rows, const Vector& work);
+  static Vector leastRemainder(const SparseRows& rows, const Vector& work);
 
   /// Limit analysis (static theorem): a unit motion in which the loads do more work than all forces in the cones can resist; empty if
   /// forces in the cones can balance the loads. No equilibrium exists along such a motion, at any position of the bodies with these pairs.
@@ -63,7 +63,7 @@ class PadModel {
   Vector solve(const std::vector<Eigen::Matrix3d>& blocks, const Vector& stiffness, const Vector& diagonal, const Vector& scale,
                const Vector& right) const;
   bool newton(Point& at, const Vector& stiffness, const Vector& spring, int steps, double tolerance) const;
-  static RigidBodyModel::Pairs frictionless(const Matrix& rows, const Vector& work);
+  static RigidBodyModel::Pairs frictionless(const SparseRows& rows, const Vector& work);
   Vector rigidPads(const Vector& springs) const;
   bool onSprings(Point& at, const Vector& stiffness, const Vector& springs) const;
 

@@ -41,7 +41,6 @@ RigidBodyModel::RigidBodyModel(Pairs pairs) : pairs_(std::move(pairs)) {
   rounding_ = Vector::Zero(this->pairs());
   for (int i = 0; i < this->pairs(); ++i)
     if (!pairs_.canChange[i]) compliance_(i) = 1.0;
-  findEntries();
   rank_ = motions() - static_cast<int>(loose(ClosedSet(this->pairs(), 1)).cols());
   findComponents();
 }
@@ -51,11 +50,10 @@ void RigidBodyModel::findComponents() {
   std::vector<int> any(pairs(), -1);  // a motion that moves the pair
   for (int i = 0; i < pairs(); ++i) {
     if (!pairs_.canChange[i]) continue;
-    for (int k = 0; k < motions(); ++k)
-      if (pairs_.rows(i, k) != 0.0) {
-        if (any[i] < 0) any[i] = k;
-        sets.join(k, any[i]);
-      }
+    for (SparseRows::InnerIterator entry(pairs_.rows, i); entry; ++entry) {
+      if (any[i] < 0) any[i] = static_cast<int>(entry.col());
+      sets.join(static_cast<int>(entry.col()), any[i]);
+    }
   }
   std::vector<int> number(motions(), -1);
   for (int k = 0; k < motions(); ++k) {
@@ -80,7 +78,7 @@ RigidBodyModel::Equilibrium RigidBodyModel::project(const Vector& t) const {
     if (!pairs_.canChange[i]) stiffness(i) = 0.0;
   Vector penetration = t;
   for (const Component& component : components_) {
-    const Matrix rows = pairs_.rows(component.pairs, component.motions);
+    const SparseRows rows = columnsAt(rowsAt(pairs_.rows, component.pairs), component.motions);
     const Vector work = pairs_.work(component.motions), own = t(component.pairs), k = stiffness(component.pairs);
     if (work.size() > kMostDense) {
       const PadModel::Equilibrium pads = PadModel::unilateral(rows, work, own, k.cwiseInverse());
@@ -89,7 +87,8 @@ RigidBodyModel::Equilibrium RigidBodyModel::project(const Vector& t) const {
       penetration(component.pairs) = pads.trial.col(0).cwiseQuotient(k);
       continue;
     }
-    const UnilateralFoundation problem(rows, k, work, work.norm());
+    const Matrix dense = rows;
+    const UnilateralFoundation problem(dense, k, work, work.norm());
     Vector x = Vector::Zero(work.size()), y = own;
     result.found = problem.solve(x, y) && result.found;
     result.motion(component.motions) = x;
@@ -105,7 +104,7 @@ Vector RigidBodyModel::leastMotion(const ClosedSet& carrying, const Vector& moti
   std::vector<int> open;
   for (const int i : members(carrying, 0))
     if (pairs_.canChange[i]) open.push_back(i);
-  const Matrix rows = pairs_.rows(open, Eigen::all) * free;
+  const Matrix rows = rowsAt(pairs_.rows, open) * free;
   const Vector room = -Vector(penetration(open)).cwiseMin(0.0), along = free.transpose() * motion;
   return motion + free * (leastDistance(-rows, -room - rows * along) - along);
 }
@@ -151,63 +150,50 @@ ClosedSet RigidBodyModel::start() {
   if (!pads.found) throw NumericalError("contact: the loads push a body away from all contacts that could hold it");
   double size = 0.0;
   for (int i = 0; i < pairs(); ++i) size = std::max(size, std::abs(pairs_.penetration(i)));
-  const Matrix& rows = soft_ ? soft_->data().rows : pairs_.rows;
+  const SparseRows& rows = soft_ ? soft_->data().rows : pairs_.rows;
   for (int i = 0; i < pairs(); ++i)
     if (pairs_.canChange[i] && rows.row(i).norm() < kDependentRows && pairs_.penetration(i) >= -kTouching * size) set[i] = 1;
   return set;
 }
 
-void RigidBodyModel::findEntries() {
-  entries_.assign(1 + pairs_.tangents.size(), std::vector<Entries>(static_cast<std::size_t>(pairs())));
-  for (std::size_t c = 0; c < entries_.size(); ++c) {
-    const Matrix& rows = c == 0 ? pairs_.rows : pairs_.tangents[c - 1];
-    for (int k = 0; k < motions(); ++k)
-      for (int i = 0; i < pairs(); ++i)
-        if (rows(i, k) != 0.0) entries_[c][static_cast<std::size_t>(i)].emplace_back(k, rows(i, k));
-  }
-}
-
-Matrix RigidBodyModel::nullSpaceOf(const std::vector<const Entries*>& rows) const {
-  if (motions() <= kMostDense) {
-    Matrix dense = Matrix::Zero(static_cast<Eigen::Index>(rows.size()), motions());
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      for (const auto& [motion, value] : *rows[r]) dense(static_cast<Eigen::Index>(r), motion) = value;
-    return rows.empty() ? Matrix(Matrix::Identity(motions(), motions())) : nullSpace(dense, kDependentRows);
-  }
+Matrix RigidBodyModel::nullSpaceOf(const std::vector<Row>& rows) const {
+  if (rows.empty()) return Matrix::Identity(motions(), motions());
   std::vector<Eigen::Triplet<double, int>> entries;
   for (std::size_t r = 0; r < rows.size(); ++r)
-    for (const auto& [motion, value] : *rows[r]) entries.emplace_back(static_cast<int>(r), motion, value);
+    for (SparseRows::InnerIterator entry(rowsOf(rows[r].component), rows[r].pair); entry; ++entry)
+      entries.emplace_back(static_cast<int>(r), static_cast<int>(entry.col()), entry.value());
   SparseMatrix sparse(static_cast<Eigen::Index>(rows.size()), motions());
   sparse.setFromTriplets(entries.begin(), entries.end());
-  return sparseNullSpace(sparse, kDependentRows);
+  return motions() <= kMostDense ? nullSpace(Matrix(sparse), kDependentRows) : sparseNullSpace(sparse, kDependentRows);
 }
 
 Matrix RigidBodyModel::loose(const ClosedSet& closed) const {
   if (motions() == 0) return Matrix(0, 0);
-  std::vector<const Entries*> rows;
-  for (const int i : members(closed, 1)) rows.push_back(&entries_[0][static_cast<std::size_t>(i)]);
+  std::vector<Row> rows;
+  for (const int i : members(closed, 1)) rows.push_back({0, i});
   return nullSpaceOf(rows);
 }
 
 Matrix RigidBodyModel::loose(const PairStates& states) const {
   if (motions() == 0) return Matrix(0, 0);
-  std::vector<const Entries*> rows;
-  std::vector<std::size_t> springs;  // pairs
+  std::vector<Row> rows;
+  std::vector<int> springs;  // pairs
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (states[i].closed()) rows.push_back(&entries_[0][i]);
+    const int pair = static_cast<int>(i);
+    if (states[i].closed()) rows.push_back({0, pair});
     if (states[i].status == PairStatus::Stick)
-      for (std::size_t c = 1; c < entries_.size(); ++c) rows.push_back(&entries_[c][i]);
+      for (std::size_t c = 1; c <= pairs_.tangents.size(); ++c) rows.push_back({c, pair});
     else if (states[i].transverseStiffness > 0.0 && !pairs_.tangents.empty())
-      springs.push_back(i);
+      springs.push_back(pair);
   }
   const Matrix free = nullSpaceOf(rows);
   if (springs.empty() || free.cols() == 0) return free;
   Matrix held = Matrix::Zero(static_cast<Eigen::Index>(springs.size()), free.cols());
   for (std::size_t r = 0; r < springs.size(); ++r) {
-    const Point along = acrossSlip(states[springs[r]]);
-    for (std::size_t c = 1; c < entries_.size(); ++c)
-      for (const auto& [motion, value] : entries_[c][springs[r]])
-        held.row(static_cast<Eigen::Index>(r)) += along[c] * value * free.row(motion);
+    const Point along = acrossSlip(states[static_cast<std::size_t>(springs[r])]);
+    for (std::size_t c = 1; c <= pairs_.tangents.size(); ++c)
+      for (SparseRows::InnerIterator entry(pairs_.tangents[c - 1], springs[r]); entry; ++entry)
+        held.row(static_cast<Eigen::Index>(r)) += along[c] * entry.value() * free.row(entry.col());
   }
   return free * nullSpace(held, kWeakSprings);
 }
@@ -223,7 +209,7 @@ std::vector<int> RigidBodyModel::stabilisingPairs(const ClosedSet& closed, const
   std::vector<int> chosen;
   if (loose.cols() == 0 || open.empty()) return chosen;
   // Pivoted Gram-Schmidt on the rows: each next row stops most of the remaining motion.
-  Matrix rest = pairs_.rows(open, Eigen::all) * loose;
+  Matrix rest = rowsAt(pairs_.rows, open) * loose;
   for (Eigen::Index k = 0; k < loose.cols(); ++k) {
     Eigen::Index best = 0;
     const double most = rest.rowwise().norm().maxCoeff(&best);
@@ -241,7 +227,7 @@ Vector RigidBodyModel::stabilisingForces(const std::vector<int>& stabilisingPair
   for (Eigen::Index k = 0; k < work.size(); ++k)
     if (std::abs(work(k)) <= kNoWork * size(k)) work(k) = 0.0;
   if (stabilisingPairs.empty() || work.isZero(0.0)) return Vector::Zero(static_cast<Eigen::Index>(stabilisingPairs.size()));
-  const Matrix rows = pairs_.rows(stabilisingPairs, Eigen::all) * loose;
+  const Matrix rows = rowsAt(pairs_.rows, stabilisingPairs) * loose;
   Vector force = leastSquares(rows.transpose(), work);
   const double least = kNoWork * force.cwiseAbs().maxCoeff();
   for (double& each : force)
@@ -257,7 +243,7 @@ Vector RigidBodyModel::settle(const ClosedSet& closed, const Vector& penetration
   if (loose.cols() == 0 || open.empty()) return z;
   const Vector w = penetration(open);
   if (!(w.maxCoeff() > 0.0)) return z;
-  const Matrix rows = pairs_.rows(open, Eigen::all) * loose;
+  const Matrix rows = rowsAt(pairs_.rows, open) * loose;
   const Vector stiffness = Vector(compliance_(open)).cwiseInverse(), none = Vector::Zero(loose.cols());
   const UnilateralFoundation problem(rows, stiffness, none, 1e-12 * w.cwiseMax(0.0).dot(stiffness));
   Vector moved = w;
@@ -270,7 +256,7 @@ Matrix RigidBodyModel::neutral(const ClosedSet& carrying, const ClosedSet& touch
   const Matrix free = loose(carrying);
   if (free.cols() == 0) return Matrix(motions(), 0);
   const std::vector<int> at = members(touching, 1);
-  const Matrix rows = pairs_.rows(at, Eigen::all) * free;
+  const Matrix rows = rowsAt(pairs_.rows, at) * free;
   Matrix found(free.cols(), 0);
   for (Eigen::Index k = 0; k < free.cols(); ++k)
     for (const double sign : {1.0, -1.0}) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/algebra/SparseMatrix.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/search/PairStates.hpp>
 
@@ -23,16 +24,16 @@ constexpr double kDependentRows = 1e-9;  ///< singular value of rows (of order o
 class RigidBodyModel {
  public:
   struct Pairs {
-    Matrix rows;            ///< pairs x motions, of order one: motions are scaled by their largest displacement
+    SparseRows rows;        ///< pairs x motions, of order one: motions are scaled by their largest displacement
     Vector work;            ///< e: work of the loads in each motion [force]
     Vector penetration;     ///< t at zero motions: minus the initial gap, plus the part closed by prescribed displacements [length]
     Vector stiffness;       ///< stiffness of both sides in series at each pair, along its normal: 1 / k = sum n^2 / K_nn [force / length]
     std::vector<int> line;  ///< contact line of each pair; consecutive pairs of one line are neighbours
-    std::vector<std::vector<int>> bodies;  ///< bodies of each pair; empty: all pairs belong together
-    std::vector<char> canChange;           ///< pairs that can change; the others have no free unknowns and zero rows
-    bool surfaces = false;                 ///< pairs of one line lie on a surface and are not ordered
-    std::vector<Matrix> tangents = {};     ///< as `rows`, along each tangent; empty without friction
-    std::vector<char> bound = {};          ///< pairs that never open (ContactLaw::separates): motions keep them closed. Empty: none
+    std::vector<std::vector<int>> bodies;   ///< bodies of each pair; empty: all pairs belong together
+    std::vector<char> canChange;            ///< pairs that can change; the others have no free unknowns and zero rows
+    bool surfaces = false;                  ///< pairs of one line lie on a surface and are not ordered
+    std::vector<SparseRows> tangents = {};  ///< as `rows`, along each tangent; empty without friction
+    std::vector<char> bound = {};           ///< pairs that never open (ContactLaw::separates): motions keep them closed. Empty: none
   };
 
   explicit RigidBodyModel(Pairs pairs);
@@ -96,10 +97,13 @@ class RigidBodyModel {
 
  private:
   void findComponents();
-  /// A sparse row of the model: motions and their effects.
-  using Entries = std::vector<std::pair<int, double>>;
-  void findEntries();
-  Matrix nullSpaceOf(const std::vector<const Entries*>& rows) const;
+  /// A row of the model: component of the pair's frame, and pair.
+  struct Row {
+    std::size_t component;
+    int pair;
+  };
+  const SparseRows& rowsOf(std::size_t component) const { return component == 0 ? pairs_.rows : pairs_.tangents[component - 1]; }
+  Matrix nullSpaceOf(const std::vector<Row>& rows) const;
   Vector patchLengths(const ClosedSet& set) const;
   int bodies() const;
   Vector scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const;
@@ -110,9 +114,8 @@ class RigidBodyModel {
   struct Component {
     std::vector<int> motions, pairs;
   };
-  std::vector<Component> components_;          // motions coupled by pads
-  std::vector<std::vector<Entries>> entries_;  // by component of the pair's frame, then by pair
-  int rank_ = 0;                               // number of motions that pairs can stop
+  std::vector<Component> components_;  // motions coupled by pads
+  int rank_ = 0;                       // number of motions that pairs can stop
 };
 
 }  // namespace suture

@@ -15,22 +15,26 @@ RigidBodyModel::Equilibrium SoftBodies::project(const Vector& t, const Vector& c
     if (springs_(k) > 0.0) sprung.push_back(k);
   // A spring is two opposite pads that touch.
   const auto count = pairs + 2 * static_cast<Eigen::Index>(sprung.size());
-  Matrix rows = Matrix::Zero(count, motions);
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (int i = 0; i < static_cast<int>(pairs); ++i)
+    for (SparseRows::InnerIterator entry(data.rows, i); entry; ++entry)
+      entries.emplace_back(i, static_cast<int>(entry.col()), entry.value());
   Vector y = Vector::Zero(count), stiffness = Vector::Zero(count);
-  rows.topRows(pairs) = data.rows;
   y.head(pairs) = t;
   for (Eigen::Index i = 0; i < pairs; ++i)
     if (data.canChange[static_cast<std::size_t>(i)]) stiffness(i) = 1.0 / compliance(i);
   for (std::size_t s = 0; s < sprung.size(); ++s)
     for (const int sense : {0, 1}) {
       const Eigen::Index row = pairs + 2 * static_cast<Eigen::Index>(s) + sense;
-      rows(row, sprung[s]) = sense == 0 ? 1.0 : -1.0;
+      entries.emplace_back(static_cast<int>(row), static_cast<int>(sprung[s]), sense == 0 ? 1.0 : -1.0);
       stiffness(row) = springs_(sprung[s]);
     }
+  SparseRows rows(count, motions);
+  rows.setFromTriplets(entries.begin(), entries.end());
   RigidBodyModel::Equilibrium result;
   result.motion = Vector::Zero(motions);
   if (motions <= kMostDense) {
-    result.found = UnilateralFoundation(rows, stiffness, data.work, data.work.norm()).solve(result.motion, y);
+    result.found = UnilateralFoundation(Matrix(rows), stiffness, data.work, data.work.norm()).solve(result.motion, y);
   } else {
     const Vector soft = stiffness.unaryExpr([](double k) { return k > 0.0 ? 1.0 / k : 1e300; });
     const PadModel::Equilibrium pads = PadModel::unilateral(rows, data.work, y, soft);

@@ -22,7 +22,7 @@ bool StabilisingPairs::isNeutral(const PairStates& next, const Matrix& free, dou
   if ((free.transpose() * data.work).cwiseAbs().maxCoeff() > kNoWorkOfPairs * largest) return false;
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (!data.canChange[i] || next[i].status != PairStatus::Slip || !projection_.rubs(i)) continue;
-    for (const Matrix& tangent : data.tangents)
+    for (const SparseRows& tangent : data.tangents)
       if ((tangent.row(static_cast<Eigen::Index>(i)) * free).norm() > kDependentRows) return false;
   }
   return true;
@@ -67,7 +67,7 @@ void StabilisingPairs::glue(PairStates& next, Matrix free, const std::vector<int
       const auto at = static_cast<Eigen::Index>(i);
       double size = next[i].closed() ? 0.0 : (data.rows.row(at) * free).norm();
       if (next[i].status != PairStatus::Stick && projection_.rubs(i))
-        for (const Matrix& tangent : data.tangents) size = std::max(size, (tangent.row(at) * free).norm());
+        for (const SparseRows& tangent : data.tangents) size = std::max(size, (tangent.row(at) * free).norm());
       if (!next[i].closed()) size *= kOpenPair;
       if (isInVain[i]) size *= kInVain;
       if (size > most) most = size, best = i;

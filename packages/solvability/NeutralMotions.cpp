@@ -112,8 +112,8 @@ class Least {
     std::vector<int> open;
     const RigidBodyModel::Pairs& data = bodies_.rigid().data();
     for (int i = 0; i < bodies_.rigid().pairs(); ++i)
-      if (data.canChange[i] && !carrying[i] && !(data.rows.row(i) * motions_).isZero(kNoMotion)) open.push_back(i);
-    const Matrix rows = data.rows(open, Eigen::all) * motions_;
+      if (data.canChange[i] && !carrying[i] && !Vector(data.rows.row(i) * motions_).isZero(kNoMotion)) open.push_back(i);
+    const Matrix rows = rowsAt(data.rows, open) * motions_;
     const Matrix g = -lower.triangularView<Eigen::Lower>().solve(rows.transpose()).transpose();
     const Vector room = Vector(pairs.gap(open)).cwiseMax(0.0);
     const Vector v = leastDistance(g, g * shift - room);

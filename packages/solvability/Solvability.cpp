@@ -96,37 +96,42 @@ ContactForces contactForces(const Mesh& mesh, const Constraints& constraints) {
 }
 
 /// Negative work of the pairs' forces on side A in each motion.
-Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const ContactForces& forces, const RigidParts& rigid,
-                   const Modes& modes) {
+SparseRows contactRows(const Mesh& mesh, const Constraints& constraints, const ContactForces& forces, const RigidParts& rigid,
+                       const Modes& modes) {
   const int dimension = mesh.dimension;
-  Matrix rows = Matrix::Zero(Eigen::Index(forces.pair.size()), modes.count);
+  std::vector<Eigen::Triplet<double, int>> entries;
   for (std::size_t p = 0; p < forces.pair.size(); ++p) {
     for (const auto& [node, weight] : constraints.pairs[forces.pair[p]].ends) {
       const int part = rigid.partOfNode[node];
       const RigidPart& r = rigid.parts[part];
       if (r.free.cols() == 0) continue;
-      rows.row(Eigen::Index(p)).segment(modes.first[part], r.free.cols()) +=
-          weight * Eigen::Map<const Vector>(forces.direction[p].data(), dimension).transpose() * r.at(mesh.point(node), dimension) * r.free;
+      const Vector effect =
+          weight * r.free.transpose() *
+          (r.at(mesh.point(node), dimension).transpose() * Eigen::Map<const Vector>(forces.direction[p].data(), dimension));
+      for (int k = 0; k < int(effect.size()); ++k) entries.emplace_back(int(p), modes.first[part] + k, effect[k]);
     }
   }
+  SparseRows rows(Eigen::Index(forces.pair.size()), modes.count);
+  rows.setFromTriplets(entries.begin(), entries.end());
+  rows.prune(0.0);
   return rows;
 }
 
 /// Motions that keep all gaps: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed, except from rows of many
 /// bodies, which must stay sparse.
-Matrix slidingMotions(Matrix& rows) {
-  if (rows.cols() > kMostDense) return sparseNullSpace(rows.sparseView(), noOpening);
-  const SingularValues svd = singularValues(rows);
+Matrix slidingMotions(SparseRows& rows) {
+  if (rows.cols() > kMostDense) return sparseNullSpace(rows, noOpening);
+  const SingularValues svd = singularValues(Matrix(rows));
   Eigen::Index held = std::min(rows.rows(), rows.cols());
   while (held > 0 && (rows * svd.v.col(held - 1)).lpNorm<Eigen::Infinity>() <= noOpening) --held;
   const Matrix sliding = svd.v.rightCols(rows.cols() - held);
-  rows -= rows * sliding * sliding.transpose();
+  rows = Matrix(Matrix(rows) - (rows * sliding) * sliding.transpose()).sparseView();
   return sliding;
 }
 
 /// The loads' work that contact forces p >= 0 with the least remainder leave unbalanced. No contact force balances loads along sliding
 /// motions. \param contact  receives p
-Vector unbalancedWork(const Matrix& rows, const Matrix& sliding, const Vector& work, Vector& contact) {
+Vector unbalancedWork(const SparseRows& rows, const Matrix& sliding, const Vector& work, Vector& contact) {
   const auto along = [&](const Vector& v) { return Vector(sliding * (sliding.transpose() * v)); };
   const Vector free = along(work), stopped = work - free;
   const auto remainder = [&] {
@@ -134,7 +139,7 @@ Vector unbalancedWork(const Matrix& rows, const Matrix& sliding, const Vector& w
     return Vector(rest - along(rest));
   };
   if (rows.cols() <= kMostDense) {
-    contact = nonnegativeLeastSquares(rows.transpose(), stopped);
+    contact = nonnegativeLeastSquares(Matrix(rows).transpose(), stopped);
     return remainder() + free;
   }
   // Many bodies: elastic pads, which prove an equilibrium to more digits than the least remainder.
@@ -226,7 +231,7 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     work.segment(modes.first[part], r.free.cols()) += (f.transpose() * r.at(mesh.point(i), dimension) * r.free).transpose();
   }
   const ContactForces generators = contactForces(mesh, constraints);
-  Matrix rows = contactRows(mesh, constraints, generators, rigid, modes);
+  SparseRows rows = contactRows(mesh, constraints, generators, rigid, modes);
   const Matrix sliding = slidingMotions(rows);
   const double loads = force.sum();
   if (loads > 0) {

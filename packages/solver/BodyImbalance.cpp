@@ -28,14 +28,15 @@ double bodyImbalance(const ContactBodies& bodies, const Matrix& force, const Vec
   for (std::size_t p = 0; p < parts; ++p)
     if (!bodies.idle()[p]) own[p] = std::max(own[p], std::sqrt(std::max(energy(static_cast<Eigen::Index>(p)), 0.0) * stiffness[p]));
   const std::vector<double> lent = lentValues(own, idle, kLentForce, bodies.neighbours());
+  Vector excess = data.rows.transpose() * force.col(0) - data.work;
+  for (Eigen::Index k = 0; k < std::min(force.cols() - 1, static_cast<Eigen::Index>(data.tangents.size())); ++k)
+    excess += data.tangents[static_cast<std::size_t>(k)].transpose() * force.col(k + 1);
   double most = 0.0;
   for (std::size_t p = 0; p < parts; ++p) {
     const auto at = static_cast<Eigen::Index>(p);
     const Eigen::Index first = bodies.firstMotion(static_cast<int>(p)), count = bodies.parts()[p].free.cols();
     if (count == 0) continue;
-    Vector rest = data.rows.middleCols(first, count).transpose() * force.col(0) - data.work.segment(first, count);
-    for (Eigen::Index k = 0; k < std::min(force.cols() - 1, static_cast<Eigen::Index>(data.tangents.size())); ++k)
-      rest += data.tangents[static_cast<std::size_t>(k)].middleCols(first, count).transpose() * force.col(k + 1);
+    const Vector rest = excess.segment(first, count);
     if (rest.norm() <= kNegligibleEnergyNorm * std::sqrt(largest(at) * stiffness[p])) continue;
     size[p] = std::max({size[p], lent[p], kLentForce * std::sqrt(std::max(energy(at), 0.0) * stiffness[p])});
     most = std::max(most, rest.norm() / size[p]);

@@ -26,7 +26,7 @@ struct Parabola {
   }
   static RigidBodyModel::Pairs data(int n) {
     const double stiffness = kNormalOfNode * M_PI * kModulus / 2.0;
-    return {Matrix(n, 0),           Vector(0),
+    return {SparseRows(n, 0),       Vector(0),
             Vector::Zero(n),        Vector::Constant(n, stiffness),
             std::vector<int>(n, 0), std::vector<std::vector<int>>(),
             std::vector<char>(n, 1)};

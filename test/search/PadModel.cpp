@@ -19,8 +19,7 @@ struct Block {
 
   Block(int dimension, const Force& load, double height = 0.2) {
     const int corners = dimension == 2 ? 2 : 4, motions = dimension == 2 ? 3 : 6;
-    pairs.rows = Matrix::Zero(corners, motions);
-    pairs.tangents.assign(static_cast<std::size_t>(dimension - 1), Matrix::Zero(corners, motions));
+    std::vector<Matrix> effects(static_cast<std::size_t>(dimension), Matrix::Zero(corners, motions));  // by component
     pairs.penetration = Vector::Zero(corners);
     pairs.stiffness = Vector::Ones(corners);
     pairs.line.assign(corners, 0);
@@ -28,17 +27,19 @@ struct Block {
     for (int i = 0; i < corners; ++i) {
       const double x = i % 2 == 0 ? -1.0 : 1.0, y = dimension == 2 ? 0.0 : i < 2 ? -1.0 : 1.0;
       // Motions: along the normal and the tangents; rotations. Penetration grows where the block moves down.
-      pairs.rows(i, 0) = 1.0;
-      for (int t = 0; t < dimension - 1; ++t) pairs.tangents[static_cast<std::size_t>(t)](i, 1 + t) = 1.0;
+      effects[0](i, 0) = 1.0;
+      for (int t = 0; t < dimension - 1; ++t) effects[static_cast<std::size_t>(t) + 1](i, 1 + t) = 1.0;
       if (dimension == 2) {
-        pairs.rows(i, 2) = x;
-        pairs.tangents[0](i, 2) = -height;
+        effects[0](i, 2) = x;
+        effects[1](i, 2) = -height;
       } else {
-        pairs.rows(i, 3) = x, pairs.tangents[0](i, 3) = -height;
-        pairs.rows(i, 4) = y, pairs.tangents[1](i, 4) = -height;
-        pairs.tangents[0](i, 5) = -y, pairs.tangents[1](i, 5) = x;
+        effects[0](i, 3) = x, effects[1](i, 3) = -height;
+        effects[0](i, 4) = y, effects[2](i, 4) = -height;
+        effects[1](i, 5) = -y, effects[2](i, 5) = x;
       }
     }
+    pairs.rows = effects[0].sparseView();
+    for (std::size_t k = 1; k < effects.size(); ++k) pairs.tangents.emplace_back(effects[k].sparseView());
     pairs.work = Vector::Zero(motions);
     pairs.work.head(dimension) = load.head(dimension);
   }
@@ -59,12 +60,14 @@ TEUCHOS_UNIT_TEST(PadModel, DetectsLoadsThatTheConesCannotBalance) {
   }
   // Without friction, in a groove of two flanks: loads into the groove hold, loads out along a flank do not.
   RigidBodyModel::Pairs groove = Block(2, Force(1.0, 0.0, 0.0)).pairs;
-  groove.rows.setZero(), groove.tangents[0].setZero();
+  Matrix normal = Matrix::Zero(2, 3), tangential = normal;
   for (int i = 0; i < 2; ++i) {
     const double side = i == 0 ? 1.0 : -1.0;
-    groove.rows(i, 0) = groove.rows(i, 1) = std::sqrt(0.5), groove.rows(i, 1) *= side;
-    groove.tangents[0](i, 0) = -side * std::sqrt(0.5), groove.tangents[0](i, 1) = std::sqrt(0.5);
+    normal(i, 0) = std::sqrt(0.5), normal(i, 1) = side * std::sqrt(0.5);
+    tangential(i, 0) = -side * std::sqrt(0.5), tangential(i, 1) = std::sqrt(0.5);
   }
+  groove.rows = normal.sparseView();
+  groove.tangents[0] = tangential.sparseView();
   for (const double part : {-1.01, -0.99, 0.0, 0.99, 1.01}) {
     groove.work << 1.0, part, 0.0;
     TEST_EQUALITY(PadModel(groove, std::vector<FrictionCone>(2)).unbalanced().size() > 0, std::abs(part) > 1.0);
@@ -114,10 +117,9 @@ TEUCHOS_UNIT_TEST(PadModel, BalancesTheLoadsByForcesOfTheLaw) {
 // until both sides touch, and only then do bounds act: statics gives normal forces load / sqrt 2 without them, and less with them.
 TEUCHOS_UNIT_TEST(PadModel, OpenPadsHoldNothing) {
   RigidBodyModel::Pairs groove;
-  groove.rows = Matrix::Constant(2, 2, std::sqrt(0.5));
-  groove.tangents.assign(1, Matrix::Constant(2, 2, std::sqrt(0.5)));
-  groove.rows(1, 1) *= -1.0;
-  groove.tangents[0](0, 1) *= -1.0;
+  const double r = std::sqrt(0.5);
+  groove.rows = (Matrix(2, 2) << r, r, r, -r).finished().sparseView();
+  groove.tangents.emplace_back((Matrix(2, 2) << r, -r, r, r).finished().sparseView());
   groove.work = Vector::Unit(2, 0);
   groove.penetration = Vector::Constant(2, -5.0);
   groove.stiffness = Vector::Ones(2);
@@ -153,7 +155,7 @@ TEUCHOS_UNIT_TEST(PadModel, MovesUnloadedBodiesApart) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (const int motions : {3, 12, 60}) {
-    const Matrix rows = Matrix::NullaryExpr(4 * motions, motions, [&] { return uniform(random); });
+    const SparseRows rows = Matrix::NullaryExpr(4 * motions, motions, [&] { return uniform(random); }).sparseView();
     const Vector room = Vector::NullaryExpr(4 * motions, [&] { return std::max(uniform(random), 0.0); });  // half of the pads just touch
     const Vector there = Vector::NullaryExpr(motions, [&] { return uniform(random); });
     const Vector start = -rows * there - room, compliance = Vector::Ones(4 * motions);
@@ -166,7 +168,7 @@ TEUCHOS_UNIT_TEST(PadModel, MovesUnloadedBodiesApart) {
 }
 
 TEUCHOS_UNIT_TEST(PadModel, ReportsALoadThatNoPadStops) {
-  const Matrix rows = Matrix::Constant(1, 1, 1.0);
+  const SparseRows rows = Matrix::Constant(1, 1, 1.0).sparseView();
   const Vector compliance = Vector::Ones(1), away = Vector::Constant(1, -1.0), against = Vector::Constant(1, 1.0);
   TEST_ASSERT(!PadModel::unilateral(rows, away, Vector::Constant(1, 0.5), compliance).found);
   const PadModel::Equilibrium found = PadModel::unilateral(rows, against, Vector::Constant(1, -0.5), compliance);
@@ -178,14 +180,14 @@ TEUCHOS_UNIT_TEST(PadModel, ReportsALoadThatNoPadStops) {
 TEUCHOS_UNIT_TEST(PadModel, SoftPadsBalanceLoadsBesideStiffOnes) {
   for (const double soft : {1.0, 1e-3, 1e-6, 1e-9}) {
     RigidBodyModel::Pairs pairs;
-    pairs.rows = (Matrix(2, 1) << 1.0, -1.0).finished();
+    pairs.rows = (Matrix(2, 1) << 1.0, -1.0).finished().sparseView();
     pairs.penetration = Vector::Zero(2);
     pairs.stiffness = (Vector(2) << soft, 1.0).finished();
     pairs.line = {0, 1};
     pairs.canChange = {1, 1};
     pairs.work = Vector::Constant(1, 1.0);
     TEST_EQUALITY(PadModel(pairs, std::vector<FrictionCone>(2)).unbalanced().size(), 0);
-    pairs.rows(1, 0) = 1.0;  // both press the same way
+    pairs.rows.coeffRef(1, 0) = 1.0;  // both press the same way
     pairs.work = Vector::Constant(1, -1.0);
     TEST_EQUALITY(PadModel(pairs, std::vector<FrictionCone>(2)).unbalanced().size(), 1);
   }
@@ -196,12 +198,13 @@ TEUCHOS_UNIT_TEST(PadModel, LeavesTheLeastRemainder) {
   std::normal_distribution<double> value;
   for (int scene = 0; scene < 200; ++scene) {
     const int motions = 2 + scene % 9, pairs = 1 + scene % 13;
-    const Matrix rows = Matrix::NullaryExpr(pairs, motions, [&] { return value(random); });
+    const SparseRows rows = Matrix::NullaryExpr(pairs, motions, [&] { return value(random); }).sparseView();
     const Vector work = Vector::NullaryExpr(motions, [&] { return value(random); });
     const Vector force = PadModel::leastRemainder(rows, work);
     TEST_EQUALITY(force.size(), pairs);
     TEST_COMPARE(force.minCoeff(), >=, 0.0);
-    const Vector rest = work - rows.transpose() * force, least = work - rows.transpose() * nonnegativeLeastSquares(rows.transpose(), work);
+    const Vector rest = work - rows.transpose() * force,
+                 least = work - rows.transpose() * nonnegativeLeastSquares(Matrix(rows).transpose(), work);
     TEST_COMPARE((rest - least).norm(), <=, 1e-5 * work.norm());
   }
 }

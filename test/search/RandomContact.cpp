@@ -12,13 +12,14 @@ RandomContact::RandomContact(unsigned seed) {
   const double size = std::pow(10.0, number(-6, 6));
   compliance = size * (factor * factor.transpose());
   compliance.diagonal().array() += size * (uniform() < 0.5 ? 0.1 : 1e-6);
-  pairs.rows = Matrix::NullaryExpr(n, motions, [&] { return uniform() < 0.2 ? 0.0 : 2.0 * uniform() - 1.0; });
+  Matrix rows = Matrix::NullaryExpr(n, motions, [&] { return uniform() < 0.2 ? 0.0 : 2.0 * uniform() - 1.0; });
   if (n > 1 && uniform() < 0.3) {  // two identical pairs
-    pairs.rows.row(n - 1) = pairs.rows.row(0);
+    rows.row(n - 1) = rows.row(0);
     compliance.row(n - 1) = compliance.row(0);
     compliance.col(n - 1) = compliance.col(0);
     compliance(n - 1, n - 1) = compliance(0, 0);
   }
+  pairs.rows = rows.sparseView();
   const Vector carried = Vector::NullaryExpr(n, [&] { return uniform() < 0.4 ? 0.0 : uniform(); });
   pairs.work = uniform() < 0.1 ? Vector(Vector::Zero(motions)) : Vector(pairs.rows.transpose() * carried);
   const double gap = size * std::pow(10.0, number(-3, 4));

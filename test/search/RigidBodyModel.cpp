@@ -9,7 +9,7 @@ namespace {
 /// Pads of unit stiffness on bodies that move along one line each; one row per pad.
 RigidBodyModel::Pairs onLines(const Matrix& rows, const Vector& work, const Vector& penetration) {
   RigidBodyModel::Pairs pairs;
-  pairs.rows = rows;
+  pairs.rows = rows.sparseView();
   pairs.work = work;
   pairs.penetration = penetration;
   pairs.stiffness = Vector::Ones(rows.rows());
@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(RigidBodyModel, StabilisingPairsStopAllThatPairsCanStop) {
 
 TEUCHOS_UNIT_TEST(RigidBodyModel, RefusesLoadsThatPushABodyAway) {
   RigidBodyModel::Pairs pairs;
-  pairs.rows = Matrix::Constant(2, 1, 1.0);
+  pairs.rows = Matrix::Constant(2, 1, 1.0).sparseView();
   pairs.work = Vector::Constant(1, -1.0);  // pairs only push the other way
   pairs.penetration = Vector::Constant(2, -0.1);
   pairs.stiffness = Vector::Ones(2);
@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(RigidBodyModel, RefusesLoadsThatPushABodyAway) {
 
 TEUCHOS_UNIT_TEST(RigidBodyModel, NeutralMotionsAreThoseThatTouchingPairsDoNotStop) {
   RigidBodyModel::Pairs pairs;
-  pairs.rows = (Matrix(3, 2) << 1, 0, 0, 1, 0, -1).finished();
+  pairs.rows = (Matrix(3, 2) << 1, 0, 0, 1, 0, -1).finished().sparseView();
   pairs.work = (Vector(2) << 1, 0).finished();
   pairs.penetration = Vector::Zero(3);
   pairs.stiffness = Vector::Ones(3);
@@ -208,14 +208,15 @@ TEUCHOS_UNIT_TEST(RigidBodyModel, CarriesAColumnOfManyBodies) {
 /// Rows of a block's corners on a plane: motions are three displacements and three rotations about the middle of its lower side.
 TEUCHOS_UNIT_TEST(RigidBodyModel, StatesOfPairsLeaveTheMotionsThatTheyDoNotHold) {
   RigidBodyModel::Pairs pairs;
-  pairs.rows = Matrix::Zero(4, 6);
-  pairs.tangents.assign(2, Matrix::Zero(4, 6));
+  std::vector<Matrix> effects(3, Matrix::Zero(4, 6));  // by component
   for (int i = 0; i < 4; ++i) {
     const double x = i % 2 == 0 ? -1.0 : 1.0, y = i < 2 ? -1.0 : 1.0;
-    pairs.rows.row(i) << 0, 0, 1, y, -x, 0;
-    pairs.tangents[0].row(i) << 1, 0, 0, 0, 0, -y;
-    pairs.tangents[1].row(i) << 0, 1, 0, 0, 0, x;
+    effects[0].row(i) << 0, 0, 1, y, -x, 0;
+    effects[1].row(i) << 1, 0, 0, 0, 0, -y;
+    effects[2].row(i) << 0, 1, 0, 0, 0, x;
   }
+  pairs.rows = effects[0].sparseView();
+  for (int k = 1; k < 3; ++k) pairs.tangents.emplace_back(effects[k].sparseView());
   pairs.work = Vector::Zero(6);
   pairs.penetration = Vector::Zero(4);
   pairs.stiffness = Vector::Ones(4);

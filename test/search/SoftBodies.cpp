@@ -8,8 +8,7 @@ namespace {
 /// A plate of half-length 1 on pads at x = -1, 0 and 1; it moves down (first motion) and turns (second motion).
 RigidBodyModel::Pairs plate(double weight, double moment) {
   RigidBodyModel::Pairs pairs;
-  pairs.rows = Matrix(3, 2);
-  pairs.rows << 1.0, -1.0, 1.0, 0.0, 1.0, 1.0;
+  pairs.rows = (Matrix(3, 2) << 1.0, -1.0, 1.0, 0.0, 1.0, 1.0).finished().sparseView();
   pairs.work = Vector(2);
   pairs.work << weight, moment;
   pairs.penetration = Vector::Zero(3);

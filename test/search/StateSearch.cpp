@@ -324,8 +324,8 @@ TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionOfFewPairsWhereThereIsOne) {
 TEUCHOS_UNIT_TEST(StateSearch, KeepsAPairAtItsBoundWithLargeFriction) {
   const double mu = 1.5, size = 1e-3;
   RigidBodyModel::Pairs pairs;
-  pairs.rows = Matrix(1, 0);
-  pairs.tangents.assign(2, Matrix(1, 0));
+  pairs.rows = SparseRows(1, 0);
+  pairs.tangents.assign(2, SparseRows(1, 0));
   pairs.work = Vector(0);
   pairs.penetration = Vector::Zero(1);
   pairs.stiffness = Vector::Ones(1);

@@ -53,8 +53,7 @@ struct CondensedBody : LinearContactSolver {
     line = lines;
     RigidBodyModel::Pairs pairs;
     const auto motions = kernel.cols();
-    pairs.rows = Matrix::Zero(nodes, motions);
-    pairs.tangents.assign(dimension - 1, Matrix::Zero(nodes, motions));
+    std::vector<Matrix> effects(dimension, Matrix::Zero(nodes, motions));  // by component
     pairs.work = kernel.transpose() * load;
     pairs.penetration = -gap;
     pairs.stiffness = Vector::Ones(nodes);
@@ -64,14 +63,15 @@ struct CondensedBody : LinearContactSolver {
     pairs.bound.assign(nodes, 0);
     pairs.surfaces = dimension == 3;
     for (int i = 0; i < nodes; ++i) {
-      pairs.rows.row(i) = kernel.row(dimension * i);
-      for (int k = 1; k < dimension; ++k) pairs.tangents[k - 1].row(i) = kernel.row(dimension * i + k);
+      for (int k = 0; k < dimension; ++k) effects[k].row(i) = kernel.row(dimension * i + k);
       pairs.stiffness(i) = stiffness(dimension * i, dimension * i);
       sites.push_back({{0.1 * i, 0, 0}, 1.0, stiffness(dimension * i + 1, dimension * i + 1)});
       if (laws.of(line[i]).separates()) continue;
       pairs.canChange[i] = 0;
       pairs.bound[i] = 1;
     }
+    pairs.rows = effects[0].sparseView();
+    for (int k = 1; k < dimension; ++k) pairs.tangents.emplace_back(effects[k].sparseView());
     rigid = std::make_unique<RigidBodyModel>(std::move(pairs));
   }
 

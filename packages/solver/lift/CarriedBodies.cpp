@@ -105,7 +105,7 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   const std::vector<End> ends = endsOf(comm, meshes, model, parts);
   const int count = ends.empty() ? 0 : ends.back().pair + 1;
   RigidBodyModel::Pairs pairs;
-  pairs.rows = Matrix::Zero(count, motions);
+  std::vector<Eigen::Triplet<double, int>> entries;
   pairs.penetration = Vector::Zero(count);
   pairs.line.assign(count, -1);
   pairs.canChange.assign(count, 0);
@@ -116,13 +116,17 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
     const Eigen::Map<const Vector> felt(end.amplitudes, amplitudes);
     pairs.penetration[end.pair] += felt.dot(parts.lift[end.part]);
     if (end.end == 0) pairs.penetration[end.pair] -= end.gap;
-    pairs.rows.row(end.pair).segment(first[end.part], part.free.cols()) += felt.transpose() * part.free;
+    const Vector effect = part.free.transpose() * felt;
+    for (int k = 0; k < static_cast<int>(effect.size()); ++k) entries.emplace_back(end.pair, first[end.part] + k, effect(k));
     compliance[end.pair] += 1.0 / end.young;
     pairs.line[end.pair] = end.line;
     pairs.canChange[end.pair] = pairs.canChange[end.pair] || part.free.cols() > 0;
     std::vector<int>& bodies = pairs.bodies[end.pair];
     if (std::find(bodies.begin(), bodies.end(), end.part) == bodies.end()) bodies.push_back(end.part);
   }
+  pairs.rows.resize(count, motions);
+  pairs.rows.setFromTriplets(entries.begin(), entries.end());
+  pairs.rows.prune(0.0);
   pairs.stiffness = compliance.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
   pairs.work = workOf(comm, meshes, model, parts, first, motions);
   const Vector penetration = pairs.penetration;
