@@ -3,6 +3,7 @@
 #include <Teuchos_RCPDecl.hpp>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 // Forward declarations of the two Teuchos classes that appear in most signatures; include <Teuchos_Comm.hpp> or
@@ -19,6 +20,8 @@ using Comm = Teuchos::Comm<int>;
 using CommPtr = Teuchos::RCP<const Comm>;
 using Parameters = Teuchos::ParameterList;  ///< validated and with all defaults filled in; see base/scene/SceneReader.hpp
 using GlobalId = long long;
+
+constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// Small dense algebra uses Eigen. The columns of a Matrix are right-hand sides.
 using Vector = Eigen::VectorXd;

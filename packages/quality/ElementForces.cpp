@@ -5,7 +5,6 @@
 #include <suture/elasticity/MixedPressure.hpp>
 #include <suture/elasticity/NodeCounts.hpp>
 #include <suture/quality/ElementForces.hpp>
-#include <suture/quality/Findings.hpp>
 
 #include <algorithm>
 #include <cmath>

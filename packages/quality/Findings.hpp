@@ -12,8 +12,6 @@
 
 namespace suture {
 
-constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
-
 /// Replaces std::hypot, whose overflow protection is several times slower; called in loops over all nodes.
 inline double length(const Point& p) { return std::sqrt(dot(p, p)); }
 

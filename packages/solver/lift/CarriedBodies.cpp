@@ -1,6 +1,5 @@
 #include <suture/base/Gather.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
-#include <suture/quality/PairResult.hpp>
 #include <suture/search/RigidBodyModel.hpp>
 #include <suture/solver/lift/CarriedBodies.hpp>
 
