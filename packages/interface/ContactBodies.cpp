@@ -4,7 +4,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/interface/ContactBodies.hpp>
-#include <suture/partition/BodyParts.hpp>
+#include <suture/motion/BodyParts.hpp>
 #include <suture/search/SoftBodies.hpp>
 
 #include <Teuchos_Comm.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/constraints/RigidMotion.hpp>
+#include <suture/motion/RigidMotion.hpp>
 #include <suture/pairs/ContactLaw.hpp>
 #include <suture/search/RigidBodyModel.hpp>
 #include <suture/subdomain/Subdomain.hpp>

@@ -1,14 +1,14 @@
 #include <suture/algebra/CholmodFactor.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/answer/solvability/Solvability.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/constraints/RigidMotion.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/monolithic/Monolithic.hpp>
 #include <suture/monolithic/MonolithicContact.hpp>
 #include <suture/monolithic/MonolithicFriction.hpp>
 #include <suture/monolithic/MonolithicSystem.hpp>
+#include <suture/motion/RigidMotion.hpp>
 #include <suture/pairs/PairFrame.hpp>
-#include <suture/solvability/Solvability.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
 
 #include <algorithm>

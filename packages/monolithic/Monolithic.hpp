@@ -1,11 +1,11 @@
 #pragma once
 #include <suture/algebra/CholmodFactor.hpp>
+#include <suture/answer/Solution.hpp>
 #include <suture/base/Monitor.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/pairs/PairForce.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <string>
 #include <vector>

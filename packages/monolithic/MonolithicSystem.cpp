@@ -1,9 +1,9 @@
 #include <suture/base/Errors.hpp>
+#include <suture/elasticity/ElementForces.hpp>
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/monolithic/MonolithicSystem.hpp>
 #include <suture/pairs/ContactRow.hpp>
-#include <suture/quality/ElementForces.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 #include <suture/algebra/dense/SymmetricMatrix.hpp>
+#include <suture/answer/verdict/Balance.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
-#include <suture/quality/Balance.hpp>
 
 #include <vector>
 

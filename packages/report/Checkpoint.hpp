@@ -1,9 +1,9 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/report/Steps.hpp>
 #include <suture/solver/Method.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
+#include <suture/answer/verdict/Findings.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Numbers.hpp>
-#include <suture/quality/Findings.hpp>
 #include <suture/report/Comparison.hpp>
 #include <suture/report/Format.hpp>
 #include <suture/report/OutputFolder.hpp>

@@ -5,12 +5,12 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <suture/answer/LargestStrain.hpp>
+#include <suture/answer/error/PressureOscillation.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
-#include <suture/partition/RigidMotionLifting.hpp>
-#include <suture/quality/LargestStrain.hpp>
-#include <suture/quality/PressureOscillation.hpp>
+#include <suture/motion/RigidMotionLifting.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/report/Format.hpp>
 

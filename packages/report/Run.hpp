@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/base/Timers.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/Constraints.hpp>
@@ -8,7 +9,6 @@
 #include <suture/report/RunMonitor.hpp>
 #include <suture/report/Steps.hpp>
 #include <suture/solver/ProblemSize.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/quality/PathWork.hpp>
+#include <suture/answer/verdict/PathWork.hpp>
 
 #include <string>
 #include <vector>

@@ -2,9 +2,9 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <suture/answer/error/PressureOscillation.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Version.hpp>
-#include <suture/quality/PressureOscillation.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/ParametersJson.hpp>

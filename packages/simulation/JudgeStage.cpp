@@ -1,13 +1,13 @@
+#include <suture/answer/error/AveragedEstimate.hpp>
+#include <suture/answer/error/ExactErrors.hpp>
+#include <suture/answer/solvability/NeutralMotions.hpp>
+#include <suture/answer/solvability/UndeterminedForces.hpp>
+#include <suture/answer/values/NodalStresses.hpp>
+#include <suture/answer/verdict/Verify.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/quality/AveragedEstimate.hpp>
-#include <suture/quality/ExactErrors.hpp>
-#include <suture/quality/Verify.hpp>
-#include <suture/quality/answers/NodalStresses.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/LoadPath.hpp>
-#include <suture/solvability/NeutralMotions.hpp>
-#include <suture/solvability/UndeterminedForces.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_Comm.hpp>

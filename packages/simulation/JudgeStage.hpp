@@ -1,8 +1,8 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/base/Monitor.hpp>
 #include <suture/base/Timers.hpp>
 #include <suture/simulation/Scene.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <vector>
 

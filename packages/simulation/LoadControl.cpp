@@ -1,7 +1,7 @@
+#include <suture/answer/values/ControlledLoads.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Monitor.hpp>
 #include <suture/elasticity/loads/Load.hpp>
-#include <suture/quality/answers/ControlledLoads.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/Simulation.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>

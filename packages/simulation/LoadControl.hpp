@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/simulation/Scene.hpp>
-#include <suture/solver/Solution.hpp>
 
 namespace suture {
 

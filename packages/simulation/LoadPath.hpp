@@ -1,11 +1,11 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/constraints/LoadSteps.hpp>
 #include <suture/constraints/PrescribedParts.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Steps.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <map>
 #include <vector>

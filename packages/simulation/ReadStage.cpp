@@ -1,8 +1,8 @@
+#include <suture/answer/solvability/Solvability.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
 #include <suture/mesh/Regions.hpp>
 #include <suture/simulation/ReadStage.hpp>
-#include <suture/solvability/Solvability.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 

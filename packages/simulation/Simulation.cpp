@@ -1,9 +1,10 @@
+#include <suture/answer/error/ExactErrors.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/elasticity/LockingNotes.hpp>
 #include <suture/elasticity/loads/LoadList.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
-#include <suture/quality/ExactErrors.hpp>
+#include <suture/motion/TakeOutLift.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/Summary.hpp>
@@ -17,7 +18,6 @@
 #include <suture/simulation/Simulation.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolverSchema.hpp>
-#include <suture/solver/lift/TakeOutLift.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>

@@ -1,7 +1,7 @@
 #pragma once
+#include <suture/answer/Doubts.hpp>
+#include <suture/answer/Overlaps.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/quality/Doubts.hpp>
-#include <suture/quality/Overlaps.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/Run.hpp>
 #include <suture/report/RunMonitor.hpp>

@@ -1,11 +1,11 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/base/Monitor.hpp>
 #include <suture/base/Registry.hpp>
 #include <suture/base/Timers.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/solver/MakeSubdomains.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <functional>
 #include <map>

@@ -1,10 +1,10 @@
 #pragma once
+#include <suture/answer/OuterFigures.hpp>
 #include <suture/base/Registry.hpp>
 #include <suture/interface/Formulation.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/solver/InnerSolver.hpp>
-#include <suture/solver/OuterFigures.hpp>
 #include <suture/solver/accuracy/AutomaticTolerance.hpp>
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/base/Monitor.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/solver/Method.hpp>
 #include <suture/solver/OuterSolver.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <memory>
 

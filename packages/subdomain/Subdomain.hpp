@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/algebra/dense/SymmetricMatrix.hpp>
 #include <suture/base/Registry.hpp>
+#include <suture/elasticity/ElementForces.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/quality/ElementForces.hpp>
 #include <suture/subdomain/Hint.hpp>
 
 #include <functional>

@@ -1,7 +1,7 @@
 // Parameters of the types of boundary conditions: missing ones, superfluous ones, and springs that hold bodies.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/constraints/ConditionForm.hpp>
-#include <suture/constraints/RigidMotion.hpp>
+#include <suture/motion/RigidMotion.hpp>
 
 #include "ConstraintsTesting.hpp"
 

@@ -3,7 +3,7 @@
 #include <pairs/SpaceScenes.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/constraints/ContactRows.hpp>
-#include <suture/constraints/RigidMotion.hpp>
+#include <suture/motion/RigidMotion.hpp>
 
 #include <set>
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <corpus/CorpusScene.hpp>
+#include <suture/answer/Solution.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
-#include <suture/solver/Solution.hpp>
 
 namespace suture::corpus {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <support/Blocks.hpp>
+#include <suture/answer/PairResult.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
-#include <suture/quality/PairResult.hpp>
 
 namespace suture::blocks {
 

@@ -1,5 +1,5 @@
 #include <report/SampleRun.hpp>
-#include <suture/quality/answers/NodalStresses.hpp>
+#include <suture/answer/values/NodalStresses.hpp>
 
 namespace sample {
 

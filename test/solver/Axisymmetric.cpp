@@ -1,7 +1,7 @@
 // Axisymmetric bodies against 3D solutions.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/constraints/RigidMotion.hpp>
 #include <suture/monolithic/Monolithic.hpp>
+#include <suture/motion/RigidMotion.hpp>
 
 #include "RoundScenes.hpp"
 

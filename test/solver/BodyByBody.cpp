@@ -1,9 +1,9 @@
 // Accuracy per body: answers of all methods, with their defaults, against the same scene solved in extended precision.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <quality/Judged.hpp>
+#include <answer/Judged.hpp>
 #include <solver/SolveWays.hpp>
 #include <support/Cases.hpp>
-#include <suture/quality/Findings.hpp>
+#include <suture/answer/verdict/Findings.hpp>
 
 namespace suture {
 namespace {

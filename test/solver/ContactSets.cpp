@@ -1,7 +1,7 @@
 // The contract of ContactSets, for every formulation that a scene may name.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_MultiVector.hpp>
-#include <quality/Judged.hpp>
+#include <answer/Judged.hpp>
 #include <solver/SceneChoices.hpp>
 
 namespace suture {

@@ -1,7 +1,7 @@
 // A fine mesh that starts from the answer of a coarse one.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <answer/SolidScenes.hpp>
 #include <interface/DenseSpace.hpp>
-#include <quality/SolidScenes.hpp>
 #include <solver/ContactMethods.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/solver/SolveInterface.hpp>

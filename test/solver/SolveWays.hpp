@@ -1,13 +1,13 @@
 #pragma once
 #include <interface/ContactScenes.hpp>
+#include <suture/answer/verdict/Verify.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/interface/Formulation.hpp>
-#include <suture/partition/RigidMotionLifting.hpp>
-#include <suture/quality/Verify.hpp>
+#include <suture/motion/RigidMotionLifting.hpp>
+#include <suture/motion/TakeOutLift.hpp>
 #include <suture/solver/Method.hpp>
 #include <suture/solver/SolverSchema.hpp>
-#include <suture/solver/lift/TakeOutLift.hpp>
 
 #include <support/ExtendedReference.hpp>
 

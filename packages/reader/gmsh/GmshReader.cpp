@@ -1,5 +1,5 @@
 #include <suture/base/Errors.hpp>
-#include <suture/reader/HilbertOrder.hpp>
+#include <suture/mesh/HilbertOrder.hpp>
 #include <suture/reader/gmsh/GeoStatements.hpp>
 #include <suture/reader/gmsh/GeoText.hpp>
 #include <suture/reader/gmsh/GmshAssembly.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/quality/answers/Reactions.hpp>
+#include <suture/answer/values/Reactions.hpp>
 #include <suture/report/Run.hpp>
 
 #include <nlohmann/json_fwd.hpp>

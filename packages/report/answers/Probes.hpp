@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/answer/values/PointSearch.hpp>
 #include <suture/base/scene/Schema.hpp>
-#include <suture/quality/answers/PointSearch.hpp>
 #include <suture/report/Run.hpp>
 
 #include <string>

@@ -1,7 +1,7 @@
 #include <Teuchos_CommHelpers.hpp>
+#include <suture/answer/values/SingularPlaces.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/mesh/CellGeometry.hpp>
-#include <suture/quality/answers/SingularPlaces.hpp>
 #include <suture/report/answers/Answers.hpp>
 #include <suture/report/answers/SingularNotes.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/answer/error/ErrorEstimate.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
-#include <suture/quality/ErrorEstimate.hpp>
 #include <suture/solver/InnerSolver.hpp>
 
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/solver/MakeSubdomains.hpp>
-#include <suture/solver/Solution.hpp>
 #include <suture/solver/accuracy/AutomaticTolerance.hpp>
 
 #include <vector>

@@ -3,7 +3,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellSearch.hpp>
-#include <suture/partition/RigidMotionLifting.hpp>
+#include <suture/motion/RigidMotionLifting.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
 
 #include <Teuchos_Comm.hpp>

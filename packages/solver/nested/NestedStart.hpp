@@ -1,7 +1,7 @@
 #pragma once
+#include <suture/answer/Solution.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/solver/Method.hpp>
-#include <suture/solver/Solution.hpp>
 
 #include <vector>
 

@@ -1,0 +1,31 @@
+#pragma once
+#include <suture/answer/verdict/SeamExchange.hpp>
+#include <suture/answer/verdict/Verify.hpp>
+
+namespace suture {
+
+/// Rows of the sums at the nodes of a mesh: K u, loads, contact forces (one row per component) [force]; round-off and stiffness
+/// (ElementForces).
+struct NodalRows {
+  int dimension = 2;
+
+  int internal() const { return 0; }
+  int applied() const { return dimension; }
+  int contact() const { return 2 * dimension; }
+  int rounding() const { return 3 * dimension; }
+  int stiffness() const { return 3 * dimension + 1; }
+  int count() const { return 3 * dimension + 2; }
+};
+
+/// Forces at the nodes of a scene, and the first part of their resultants.
+struct NodalForces {
+  std::vector<Matrix> nodes;  ///< by mesh: NodalRows x nodes, summed over subdomains
+  /// Forces of rigid obstacles (on the rank that counts a pair), elastic supports, and initial states, which are not loads.
+  Balance balance;
+  Reactions reactions;  ///< sums over this rank
+};
+
+/// Loops over elements, loads and pairs. Collective. \throws InputError  if an element is folded
+NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchange& seams);
+
+}  // namespace suture

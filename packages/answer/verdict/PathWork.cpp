@@ -1,0 +1,95 @@
+#include <suture/answer/verdict/NodalForces.hpp>
+#include <suture/answer/verdict/PathWork.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Point.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <cmath>
+
+namespace suture {
+
+double PathWork::imbalance() const { return size > 0.0 ? std::abs(external - stored - normal - tangential) / size : 0.0; }
+
+double PathWork::stepError() const { return size > 0.0 ? (std::abs(normal) + std::abs(dissipated - tangential)) / size : 0.0; }
+
+WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
+  const SeamExchange seams(comm_, answer.meshes);
+  const NodalForces forces = nodalForces(comm_, answer, seams);
+  End end;
+  end.pairs = answer.pairs;
+  double stored = 0.0;
+  for (std::size_t i = 0; i < answer.meshes.size(); ++i) {
+    const SubdomainMesh& mesh = answer.meshes[i];
+    const int d = mesh.dimension;
+    const NodalRows rows{d};
+    const Eigen::Map<const Matrix> u(answer.displacement[i].data(), d, mesh.nodes());
+    std::vector<const NodeRule*> ruleOf(mesh.nodes(), nullptr);
+    for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
+    Matrix force = Matrix::Zero(d, mesh.nodes());
+    Matrix moved = force;
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      if (!counts(mesh, node)) continue;
+      const auto sums = forces.nodes[i].col(node);
+      const Vector internal = sums.segment(rows.internal(), d), applied = sums.segment(rows.applied(), d),
+                   lacking = internal - applied - sums.segment(rows.contact(), d);
+      moved.col(node) = u.col(node);
+      force.col(node) = applied;
+      stored += 0.5 * internal.dot(u.col(node));
+      const NodeRule* rule = ruleOf[node];
+      for (int k = 0; rule && k < d; ++k) {
+        if (!rule->fixed[k]) continue;
+        const Eigen::Map<const Vector> axis(rule->axes[k].data(), d);
+        force.col(node) += axis.dot(lacking) * axis;  // force of the prescribed displacement
+      }
+    }
+    end.force.push_back(std::move(force));
+    end.displacement.push_back(std::move(moved));
+  }
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, stored, Teuchos::outArg(end.stored));
+  return end;
+}
+
+void WorkMeter::goOnFrom(const Answer& answer, const PathWork& soFar) {
+  before_ = endOf(answer);
+  work_ = soFar;
+}
+
+void WorkMeter::add(const Answer& answer) {
+  End now = endOf(answer);
+  double mine[3] = {0.0, 0.0, 0.0}, all[3];  // external, normal, tangential
+  for (std::size_t i = 0; i < now.force.size(); ++i) {
+    const bool first = before_.force.empty();
+    const Matrix moved = first ? now.displacement[i] : Matrix(now.displacement[i] - before_.displacement[i]),
+                 force = first ? now.force[i] : Matrix(now.force[i] + before_.force[i]);
+    mine[0] += 0.5 * force.cwiseProduct(moved).sum();
+  }
+  for (std::size_t p = 0; p < now.pairs.size(); ++p) {
+    const PairResult& pair = now.pairs[p];
+    double force = pair.force, closed = pair.initialGap - pair.gap;
+    Point tangential = pair.tangential, slip = pair.slip;
+    if (!before_.pairs.empty()) {
+      const PairResult& last = before_.pairs[p];
+      force += last.force;
+      closed -= last.initialGap - last.gap;
+      tangential = plus(tangential, last.tangential);
+      slip = minus(slip, last.slip);
+    }
+    mine[1] += 0.5 * force * closed;
+    mine[2] += 0.5 * dot(tangential, slip);
+  }
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, 3, mine, all);
+  work_.external += all[0];
+  work_.normal += all[1];
+  work_.tangential += all[2];
+  work_.size += std::max(std::abs(all[0]), std::abs(now.stored - work_.stored));
+  work_.stored = now.stored;
+  double dissipated = 0.0;
+  for (const PairResult& pair : now.pairs) dissipated += pair.dissipated;
+  broadcastBytes(comm_, &dissipated, sizeof dissipated);
+  work_.dissipated = dissipated;
+  before_ = std::move(now);
+}
+
+}  // namespace suture
