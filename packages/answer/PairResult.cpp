@@ -30,11 +30,6 @@ struct Carried {
 
 }  // namespace
 
-bool counts(const SubdomainMesh& mesh, int node) {
-  const Span<const int> others = mesh.others(node);
-  return std::none_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; });
-}
-
 void PairResult::open() {
   state = PairStatus::Open;
   force = pressure = bound = 0.0;

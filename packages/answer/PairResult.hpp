@@ -77,7 +77,4 @@ std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, con
 std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes,
                                     const std::vector<Vector>& displacement, const std::vector<PairForce>& forces);
 
-/// True in exactly one of the subdomains that share a node: the lowest.
-bool counts(const SubdomainMesh& mesh, int node);
-
 }  // namespace suture

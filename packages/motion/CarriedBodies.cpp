@@ -20,7 +20,7 @@ constexpr double kCoincident = 1e-12;  // relative to the coordinates
 constexpr double kNoWork = 1e-12;      // relative to the sum of magnitudes: round-off of balanced loads
 
 /// End of a pair, and its normal displacement under the motions of its part. Trivially copyable.
-struct End {
+struct PadEnd {
   int pair, end, line, part;
   double gap, young, amplitudes[6];
 };
@@ -31,8 +31,8 @@ double reduced(const Comm& comm, Teuchos::EReductionType how, double mine) {
   return all;
 }
 
-std::vector<End> endsOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const BodyParts& parts) {
-  std::vector<End> mine;
+std::vector<PadEnd> endsOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const BodyParts& parts) {
+  std::vector<PadEnd> mine;
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const SubdomainMesh& mesh = meshes[s];
     if (mesh.contactEnds.empty()) continue;
@@ -43,14 +43,14 @@ std::vector<End> endsOf(const Comm& comm, const std::vector<SubdomainMesh>& mesh
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
       const ContactPair& pair = *pairs.at(end.pair);
-      End own{end.pair, end.end, pair.line, parts.partOf[s], pair.gap, young, {}};
+      PadEnd own{end.pair, end.end, pair.line, parts.partOf[s], pair.gap, young, {}};
       const Vector felt = along(parts.parts[own.part], mesh.point(end.node), pair.normal, mesh.dimension);
       for (Eigen::Index k = 0; k < felt.size(); ++k) own.amplitudes[k] = pair.ends[end.end].weight * felt[k];
       mine.push_back(own);
     }
   }
-  std::vector<End> all = joinEverywhere(comm, mine);
-  std::sort(all.begin(), all.end(), [](const End& a, const End& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; });
+  std::vector<PadEnd> all = joinEverywhere(comm, mine);
+  std::sort(all.begin(), all.end(), [](const PadEnd& a, const PadEnd& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; });
   return all;
 }
 
@@ -101,7 +101,7 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
     motions += int(part.free.cols());
   }
   if (motions == 0) return carried;
-  const std::vector<End> ends = endsOf(comm, meshes, model, parts);
+  const std::vector<PadEnd> ends = endsOf(comm, meshes, model, parts);
   const int count = ends.empty() ? 0 : ends.back().pair + 1;
   RigidBodyModel::Pairs pairs;
   std::vector<Eigen::Triplet<double, int>> entries;
@@ -110,7 +110,7 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   pairs.canChange.assign(count, 0);
   pairs.bodies.resize(count);
   Vector compliance = Vector::Zero(count);
-  for (const End& end : ends) {
+  for (const PadEnd& end : ends) {
     const RigidPart& part = parts.parts[end.part];
     const Eigen::Map<const Vector> felt(end.amplitudes, amplitudes);
     pairs.penetration[end.pair] += felt.dot(parts.lift[end.part]);
@@ -138,7 +138,7 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   const Vector least = rigid.leastMotion(carrying, found.motion, penetration + rigid.data().rows * found.motion);
   std::vector<double> pressed(carried.size(), 0.0);  // largest compression of a part's pads
   const Vector compression = found.force.cwiseProduct(rigid.compliance());
-  for (const End& end : ends) pressed[end.part] = std::max(pressed[end.part], compression[end.pair]);
+  for (const PadEnd& end : ends) pressed[end.part] = std::max(pressed[end.part], compression[end.pair]);
   for (std::size_t p = 0; p < carried.size(); ++p) {
     const RigidPart& part = parts.parts[p];
     const Vector motion = part.free * least.segment(first[p], part.free.cols());

@@ -5,6 +5,7 @@
 #include <suture/pairs/ContactRow.hpp>
 #include <suture/partition/Partition.hpp>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -81,6 +82,12 @@ struct SubdomainMesh : CellBlock {
     return {sharedWith.data() + sharedOffsets[node], std::size_t(sharedOffsets[node + 1] - sharedOffsets[node])};
   }
 };
+
+/// True in exactly one of the subdomains that share a node: the lowest.
+inline bool counts(const SubdomainMesh& mesh, int node) {
+  const Span<const int> others = mesh.others(node);
+  return std::none_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; });
+}
 
 /// Sends every subdomain to its rank. Collective. Returns this rank's subdomains in ascending order of ids.
 std::vector<SubdomainMesh> distribute(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <random>
 #include <set>
+#include <suture/base/Point.hpp>
 #include <suture/constraints/ContactRows.hpp>
 #include <suture/pairs/FrictionLaws.hpp>
 

@@ -4,10 +4,12 @@
 #include <numeric>
 #include <set>
 
+#include <support/SmallScenes.hpp>
+
 #include "FoundSeams.hpp"
 
 using namespace suture;
-using namespace scenes;
+using namespace suture::scenes;
 
 namespace {
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kEqual = 1e-6;  // relative difference of values that count as equal
 
-constexpr double kNothing = 1e-9;  // relative to von Mises: a smaller principal stress is round-off of others, without location
+constexpr double kNoStress = 1e-9;  // relative to von Mises: a smaller principal stress is round-off of others, without location
 
 bool isBefore(const Extreme& a, const Extreme& b) { return std::tie(a.body, a.id) < std::tie(b.body, b.id); }
 
@@ -142,7 +142,7 @@ Extremes findExtremes(const Comm& comm, const SearchedFields& fields) {
   auto [vonMises, tension, compression, displacement] = search.over(comm);
   compression.value = -compression.value;
   for (Extreme* one : {&tension, &compression})
-    if (std::abs(one->value) <= kNothing * vonMises.value) *one = {};
+    if (std::abs(one->value) <= kNoStress * vonMises.value) *one = {};
   return {vonMises, tension, compression, displacement, recovered > 0};
 }
 
