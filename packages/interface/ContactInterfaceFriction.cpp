@@ -70,30 +70,6 @@ void ContactInterfaceProblem::addSlipForces(const InterfaceState& state, const M
   }
 }
 
-std::shared_ptr<const FrictionTangent> ContactInterfaceProblem::tangentOf(const ContactStates& status,
-                                                                          std::vector<InterfaceRelation> test) const {
-  auto tangent = std::make_shared<FrictionTangent>();
-  for (const ContactState& state : status[0]) tangent->symmetric = tangent->symmetric && !state.couplesToNormal();
-  tangent->test = std::move(test);
-  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-    const ContactState& own = status[0][i];
-    if (!owned_[i] || own.transverseStiffness == 0.0) continue;
-    const Point across = acrossSlip(own);
-    InterfaceSpring spring;
-    spring.stiffness = own.transverseStiffness;
-    for (int component = 1; component <= 2; ++component)
-      if (const int tangentRow = clusters_->rowOf(i, component); tangentRow >= 0) {
-        const ContactClusters::Row& row = clusters_->row(tangentRow);
-        for (std::size_t k = 0; k < row.places.size(); ++k) {
-          spring.places.push_back(row.places[k]);
-          spring.coefficients.push_back(across[component] * row.coefficients[k]);
-        }
-      }
-    tangent->springs.push_back(std::move(spring));
-  }
-  return tangent;
-}
-
 void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const {
   const RigidBodyModel::Pairs& data = bodies_->rigid().data();
   if (data.tangents.empty() || bodies_->rigid().motions() == 0) return;
@@ -156,8 +132,8 @@ PairValues ContactInterfaceProblem::valuesOf(const InterfaceState& state) const 
   result.force = all.leftCols(3);
   result.jump = all.middleCols(3, 3);
   result.digits = all.col(6);
-  const std::shared_ptr<const InterfaceSpace> space = spaceOf(state.status);  // also sets tangent_
-  result.residual = residual(out, *space, tangent_.get());
+  const PairTangent& tangent = tangents_->of(state.status);
+  result.residual = residual(out, *tangent.space, tangent.friction.get());
   return result;
 }
 

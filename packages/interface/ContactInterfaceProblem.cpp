@@ -73,9 +73,10 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   }
   space_->sum(stiffness);
   collectRows(stiffness);
-  findNeighbours();
   if (pairs_ > 0) findBodies();
   rubs_ = pairs_ > 0 && laws_.restrictSliding();
+  tangents_ = std::make_unique<PairTangents>(space_, subdomains_, rows_, owned_, *clusters_,
+                                             laws_.restrictSliding() ? space_->dimension() : 1, rubs_);
   if (rubs_) findSites();
   for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
 }
@@ -161,30 +162,6 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, able, Teuchos::outArg(pairs_));
 }
 
-/// In 2D pairs are numbered along their lines, and neighbours are consecutive. In 3D neighbours share a cell; only cells with a pair of
-/// this rank are known here.
-void ContactInterfaceProblem::findNeighbours() {
-  if (space_->dimension() == 2) {
-    for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-      const bool follows = i > 0 && rows_[i].pair.id == rows_[i - 1].pair.id + 1 && rows_[i].pair.line == rows_[i - 1].pair.line;
-      if (!follows) neighbours_.emplace_back();
-      neighbours_.back().push_back(i);
-    }
-    return;
-  }
-  std::map<int, int> rowOf;
-  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) rowOf[rows_[i].pair.id] = i;
-  std::set<std::vector<int>> cells;
-  for (const auto& subdomain : subdomains_) cells.insert(subdomain->mesh().contactCells.begin(), subdomain->mesh().contactCells.end());
-  for (const std::vector<int>& cell : cells) {
-    neighbours_.emplace_back();
-    for (const int pair : cell) {
-      const auto at = rowOf.find(pair);
-      neighbours_.back().push_back(at == rowOf.end() ? -1 : at->second);
-    }
-  }
-}
-
 ContactState ContactInterfaceProblem::pressed(const ContactRow& row) const { return pressedState(row, laws_.of(row.pair.line)); }
 
 InterfaceState ContactInterfaceProblem::allClosed() const {
@@ -261,9 +238,8 @@ int ContactInterfaceProblem::conform(InterfaceState& state) const {
 }
 
 void ContactInterfaceProblem::update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image) const {
-  const auto space = spaceOf(state.status);
   Matrix moved;
-  space->gather(step, moved);
+  tangents_->of(state.status).space->gather(step, moved);
   auto owned = localView(*state.trace);
   for (int place = 0; place < space_->overlapSize(); ++place)
     if (const int at = space_->ownedRow(place); at >= 0) owned(at, 0) += length * moved(place, 0);
@@ -276,48 +252,11 @@ void ContactInterfaceProblem::update(InterfaceState& state, const MultiVector& s
   state.memory = std::make_shared<Matrix>(*state.memory + length * flux);
 }
 
-std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const ContactStates& status) const {
-  if (derived_ && status == spaceStatus_) return derived_;
-  std::vector<InterfaceRelation> relations, test;
-  relations = clusters_->relations(status[0], rubs_ ? &test : nullptr);
-  if (rubs_) {
-    tangent_ = tangentOf(status, std::move(test));
-    // States that only change the direction of friction keep the space, if they express the same unknowns.
-    const auto sameRows = [](const ContactState& a, const ContactState& b) { return a.holdsAs(b); };
-    std::vector<int> unknowns;
-    for (const InterfaceRelation& relation : relations) unknowns.push_back(relation.unknown);
-    const bool same =
-        derived_ && unknowns == spaceUnknowns_ && std::equal(status[0].begin(), status[0].end(), spaceStatus_[0].begin(), sameRows);
-    spaceUnknowns_ = std::move(unknowns);
-    if (same) {
-      spaceStatus_ = status;
-      return derived_;
-    }
-  }
-  const bool inSpace = space_->dimension() == 3;
-  std::vector<std::vector<int>> neighbours;
-  for (int component = 0; component < (laws_.restrictSliding() ? space_->dimension() : 1); ++component)
-    for (const auto& rows : neighbours_) {
-      neighbours.emplace_back();
-      for (const int pair : rows) {
-        const int row = pair < 0 ? -1 : clusters_->rowOf(pair, component);
-        // A closed pair identifies its unknowns, so any of them represents it. A pair that is open, or held on one side, ends a stretch.
-        const bool joins = row >= 0 && status[0][pair].holds(component) && clusters_->row(row).places.size() == 2;
-        if (joins || inSpace)
-          neighbours.back().push_back(joins ? clusters_->row(row).places[0] : -1);
-        else if (!neighbours.back().empty())
-          neighbours.emplace_back();
-      }
-    }
-  derived_ = space_->related(std::move(relations), neighbours);
-  spaceStatus_ = status;
-  return derived_;
-}
-
 InterfaceProblem::Linearisation ContactInterfaceProblem::linearise(const InterfaceState& state) const {
-  const auto space = spaceOf(state.status);
+  const PairTangent& tangent = tangents_->of(state.status);
+  const std::shared_ptr<const InterfaceSpace>& space = tangent.space;
   Linearisation result;
-  std::shared_ptr<const FrictionTangent> friction = tangent_;
+  std::shared_ptr<const FrictionTangent> friction = tangent.friction;
   if (friction) {  // not null on a rank without subdomains either
     auto held = std::make_shared<FrictionTangent>(*friction);
     addSpringMotions(state.status, *space, *held);
@@ -374,7 +313,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluateSet(const Interfac
     if (space_->ownedRow(place) >= 0) work += 0.5 * trace(place, 0) * (out(place, 0) - load_(place, 0));
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, work, Teuchos::outArg(allWork));
   result.energy = constantEnergy_ + allWork - rigidWork(state);
-  result.residual = residual(out, *spaceOf(state.status));
+  result.residual = residual(out, *tangents_->of(state.status).space);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include <suture/interface/ContactClusters.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/interface/PairForces.hpp>
+#include <suture/interface/PairTangents.hpp>
 #include <suture/interface/SupportEnergy.hpp>
 #include <suture/interface/TraceMotions.hpp>
 #include <suture/pairs/ContactRow.hpp>
@@ -76,8 +77,6 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   Point slipOf(int row, const Vector& gaps) const;
   /// Adds to an imbalance the known tangential forces of slipping pairs and the forces of transverse springs.
   void addSlipForces(const InterfaceState& state, const Matrix& trace, Matrix& imbalance) const;
-  /// Tangent as seen by this rank. Local.
-  std::shared_ptr<const FrictionTangent> tangentOf(const ContactStates& status, std::vector<InterfaceRelation> test) const;
   /// Finds on all ranks the motions that only springs of pairs hold. Collective.
   void addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const;
   /// \param force, gaps  of all rows
@@ -86,7 +85,6 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   InterfaceState allClosed() const;
   void takeLoads();
   void collectRows(const Vector& stiffness);
-  void findNeighbours();
   void findBodies();
   /// Contribution of a state's rigid motions to the rows that this rank sees; empty if there are none.
   Vector movedRows(const InterfaceState& state) const;
@@ -94,7 +92,6 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   double rigidWork(const InterfaceState& state) const;
   /// Sums values of this rank's own rows over all ranks, by pair id. Collective.
   Matrix everywhere(const Matrix& ofRows) const;
-  std::shared_ptr<const InterfaceSpace> spaceOf(const ContactStates& status) const;
   /// S U - F on the overlap, complete; `applications` is incremented. Collective.
   Matrix imbalance(const MultiVector& trace) const;
   Matrix rememberedImbalance(const InterfaceState& state, int& applications) const;
@@ -114,16 +111,12 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   std::vector<int> partOfOwned_;
   std::unique_ptr<TraceMotions> motions_;
   std::unique_ptr<SupportEnergy> supports_;
-  std::vector<std::vector<int>> neighbours_;  // rows of neighbouring pairs: along lines, or around the cells of surfaces (-1: unknown)
-  Matrix load_;                               // F on the overlap, complete
-  double constantEnergy_ = 0.0;               // over all ranks
+  Matrix load_;                  // F on the overlap, complete
+  double constantEnergy_ = 0.0;  // over all ranks
   int pieces_ = 0, pairs_ = 0;
-  mutable ContactStates spaceStatus_;  // status for which derived_ was made
-  mutable std::shared_ptr<const InterfaceSpace> derived_;
-  mutable std::vector<int> spaceUnknowns_;  // unknowns expressed in derived_, with friction
-  bool rubs_ = false;                       // a law restricts sliding; the same on all ranks
+  std::unique_ptr<PairTangents> tangents_;
+  bool rubs_ = false;  // a law restricts sliding; the same on all ranks
   std::vector<FrictionSite> sites_;
-  mutable std::shared_ptr<const FrictionTangent> tangent_;  // for spaceStatus_; null without friction
 };
 
 }  // namespace suture
