@@ -21,18 +21,21 @@ constexpr double kOverestimate = 2.0;  // overestimate of the energy norm of the
 }  // namespace
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
-    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
-  largest_ = found_ = sets_.bodies().carriedEnergy();
+    : run_(run),
+      sets_(*run.problem.sets()),
+      inner_(std::max(inner, run.settings.tolerance)),
+      step_(run.problem.space()->vector()),
+      scales_(run, sets_) {
   if (!run.fromAuxiliary) return;
   // The auxiliary solve can be resumed if there is one cluster, whose scaling it has.
   preconditioned_ = run.preconditioned;
   hasPreconditioner_ = true;
   matrix_ = run.bilateral;
   deformed_ = true;
-  reference_ = run.reference;
+  scales_.setReference(run.reference);
   const ClosedSet closed = sets_.closedSet(preconditioned_);
-  findClusters(closed);
-  if (oneCluster()) closed_ = closed;
+  scales_.find(closed);
+  if (scales_.oneCluster()) closed_ = closed;
 }
 
 void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix) {
@@ -54,6 +57,16 @@ PairResolution SetSolves::finalResolution() const {
   return run_.automatic.on() ? PairResolution{final} : PairResolution{std::min(kPairDigits, final), final};
 }
 
+/// Global residual, or the largest residual of a body, if that is larger; tolerances are tightened then.
+double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
+  const ClusterScales::Norm found = scales_.norm(residual, state);
+  whole_ = found.whole;
+  if (found.bodies <= found.whole) return found.whole;
+  const double final = run_.settings.tolerance;
+  if (found.whole <= final && found.bodies > final) sharper_ = std::min(sharper_, kSharper * found.whole / found.bodies);
+  return found.bodies;
+}
+
 void SetSolves::evaluateStart() {
   InterfaceState state = run_.result.state;
   state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
@@ -68,9 +81,9 @@ void SetSolves::evaluateStart() {
   const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
   precondition(state, linear.matrix);
   deformed_ = true;
-  findClusters(closed);
-  scaleBy(state, state, *linear.load);
-  run_.automatic.startsFrom(reference_);
+  scales_.find(closed);
+  scales_.scaleBy(&state, state, *linear.load);
+  run_.automatic.startsFrom(scales_.reference());
   run_.evaluation = sets_.evaluateSet(state, finalResolution());
   run_.result.pcgTotal += applications + run_.evaluation.applications;
   run_.result.otherApplications += applications + run_.evaluation.applications;
@@ -105,7 +118,7 @@ bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, 
                             int& applications) {
   if (goOn) {
     matrix_->record();
-    cost = run_.inner.goOn(*step_, tolerance, reference_, run_.monitor, criterion);
+    cost = run_.inner.goOn(*step_, tolerance, scales_.reference(), run_.monitor, criterion);
   } else {
     applications += sets_.remember(state);
     const InterfaceState from = state;
@@ -115,17 +128,17 @@ bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, 
     const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
     matrix_ = linear.matrix;
     precondition(state, matrix_);
-    scaleBy(from, state, *linear.load);
-    scale(*linear.load, true);
+    scales_.scaleBy(deformed_ ? &from : nullptr, state, *linear.load);
+    scales_.scale(*linear.load, true);
     matrix_->record();
-    cost = run_.inner.solve(matrix_, run_.preconditioner, *linear.load, *step_, tolerance, reference_, run_.monitor, criterion);
-    if (reference_ == 0.0) reference_ = cost.history.front() > 0.0 ? cost.reference : 0.0;
+    cost = run_.inner.solve(matrix_, run_.preconditioner, *linear.load, *step_, tolerance, scales_.reference(), run_.monitor, criterion);
+    if (scales_.reference() == 0.0) scales_.setReference(cost.history.front() > 0.0 ? cost.reference : 0.0);
   }
   run_.learn(cost);
   const Matrix image = matrix_->recorded(cost.steps);
   if (!cost.converged) return false;
-  scale(*step_, false);
-  run_.problem.update(state, *step_, 1.0, scaled_ ? nullptr : &image);
+  scales_.scale(*step_, false);
+  run_.problem.update(state, *step_, 1.0, scales_.isScaled() ? nullptr : &image);
   applications += sets_.remember(state);
   deformed_ = true;
   return true;
@@ -137,11 +150,11 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, double requested, Inn
   const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, requested <= middle());
   bool solved = solveLinear(state, goOn, tolerance, criterion, cost, applications);
   for (int again = 0; solved && again < kRescales; ++again) {
-    const double over = overestimate(state, tolerance);
+    const double over = scales_.overestimate(state, tolerance);
     if (over * cost.residual <= tolerance || over < kOverestimate) break;
     InnerResult more;
-    const bool continues = !scaled_ && run_.inner.canGoOn();
-    if (continues) reference_ /= over;
+    const bool continues = !scales_.isScaled() && run_.inner.canGoOn();
+    if (continues) scales_.setReference(scales_.reference() / over);
     solved = solveLinear(state, continues, tolerance, criterion, more, applications);
     more.pcg += cost.pcg;
     cost = std::move(more);
@@ -150,7 +163,7 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, double requested, Inn
   if (solved && requested > final && cost.steps.empty() && cost.residual > sharper_ * final)
     return oneSolve(state, goOn && run_.inner.canGoOn(), requested > middle() ? middle() : final, cost, applications);
   if (solved) {
-    found_ = found_.cwiseMax(sets_.energies(state));
+    scales_.recordSolution(state);
     return true;
   }
   run_.result.pcgTotal += cost.pcg + applications;
@@ -167,7 +180,7 @@ ContactAnswer SetSolves::solve(const PairStates& states, double tolerance) {
   ContactAnswer answer;
   bool goOn = closed == closed_ && run_.inner.canGoOn();
   if (!goOn) {
-    findClusters(closed);
+    scales_.find(closed);
     sharper_ = isFinal ? std::max(sharper_, kKept) : 1.0;  // bodies that needed a smaller tolerance in the last set do in the next one
   }
   closed_ = closed;
@@ -195,7 +208,7 @@ ContactAnswer SetSolves::solve(const PairStates& states, double tolerance) {
         at = sets_.evaluateSet(state, finalResolution());
         const double sharper = sharper_;
         residual = norm(*at.residual, state);
-        if (const double forces = bodyImbalance(sets_.bodies(), at.force, sets_.energies(state), largest_) / kImbalance;
+        if (const double forces = bodyImbalance(sets_.bodies(), at.force, sets_.energies(state), scales_.largestEnergies()) / kImbalance;
             forces > final && residual <= final && !run_.automatic.on()) {
           sharper_ = std::min(sharper_, kSharper * residual / forces);
           residual = forces;
@@ -213,7 +226,7 @@ ContactAnswer SetSolves::solve(const PairStates& states, double tolerance) {
       answer.jumpTolerance = at.penetrationTolerance;
       answer.energy = at.energy;
       run_.accept(std::move(state), std::move(at), residual, cost, 1.0,
-                  cost.energyErrors.empty() ? -1.0 : largestScale_ * cost.energyErrors.back());
+                  cost.energyErrors.empty() ? -1.0 : scales_.largest() * cost.energyErrors.back());
       run_.result.state.status = sets_.statusOf(closed);
       if (!drifted) return answer;
       const bool stalled = pass > 0 && residual > kStalled * before && whole_ > kStalled * wholeBefore;

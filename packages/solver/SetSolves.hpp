@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/search/LinearContactSolver.hpp>
+#include <suture/solver/ClusterScales.hpp>
 #include <suture/solver/OuterSolver.hpp>
 
 #include <vector>
@@ -7,11 +8,7 @@
 namespace suture {
 
 /// Linear solver of StateSearch for frictionless contact on the interface: preconditioned conjugate gradients. Collective.
-///
-/// The norm of a residual is sqrt(r.M^-1 r) relative to the energy norm of the solution, sqrt(U.S U), for each cluster of bodies connected
-/// by closed pairs. S is block diagonal in clusters, and each block is scaled by its own energy for conjugate gradients, so that a weak
-/// cluster is solved as accurately as a strong one. At the end the residual of each body must also be small compared with the energy of the
-/// body.
+/// Residuals and unknowns are scaled by ClusterScales.
 class SetSolves : public LinearContactSolver {
  public:
   /// \param inner  tolerance of the loosest solves
@@ -29,14 +26,6 @@ class SetSolves : public LinearContactSolver {
 
  private:
   void precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix);
-  void findClusters(const ClosedSet& closed);
-  bool oneCluster() const;
-  Vector energies(const InterfaceState& state) const;
-  Vector lentNorms(const Vector& norms) const;
-  Vector productsByPart(const MultiVector& r) const;
-  void scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load);
-  double overestimate(const InterfaceState& state, double tolerance) const;
-  void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual, const InterfaceState& state);
   double middle() const;
   PairResolution finalResolution() const;
@@ -53,15 +42,7 @@ class SetSolves : public LinearContactSolver {
   ContactStates preconditioned_;    // states for which the preconditioner was made
   bool hasPreconditioner_ = false;  // the same on all ranks, including those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;
-  std::vector<int> clusterOf_;  // by part
-  Vector lift_;                 // energy norm of each cluster at the start of the last solve, which sets the round-off level
-  Vector largest_;              // twice the largest energy of each part so far; sets the round-off level
-  Vector found_;                // the same for solutions only, without the energy of closing gaps
-  Vector size_;                 // reference norm of the residual of each cluster
-  std::vector<double> scale_;   // per owned unknown, if scaled_
-  bool scaled_ = false;         // several clusters, each scaled by its own energy. The same on all ranks
-  double largestScale_ = 1.0;
-  double reference_ = 0.0;
+  ClusterScales scales_;
   double whole_ = 0.0;     // last global residual norm; single bodies may have more than their share
   double sharper_ = 1.0;   // factor on tolerances, for the residuals of single bodies
   InterfaceState start_;   // state and status of the first solve, until the second one

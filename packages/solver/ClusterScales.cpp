@@ -1,7 +1,6 @@
-// SetSolves: clusters of bodies, their scales, and norms of residuals.
 #include <suture/algebra/DisjointSets.hpp>
 #include <suture/solver/BodyImbalance.hpp>
-#include <suture/solver/SetSolves.hpp>
+#include <suture/solver/ClusterScales.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -16,7 +15,11 @@ namespace {
 constexpr double kRounding = 1e-14;  // round-off in the answer of a solve, relative to the energy norm at its start
 }  // namespace
 
-void SetSolves::findClusters(const ClosedSet& closed) {
+ClusterScales::ClusterScales(OuterSolver::Run& run, const ContactSets& sets) : run_(run), sets_(sets) {
+  largest_ = found_ = sets_.bodies().carriedEnergy();
+}
+
+void ClusterScales::find(const ClosedSet& closed) {
   const RigidBodyModel& rigid = sets_.bodies().rigid();
   const auto parts = static_cast<int>(sets_.bodies().parts().size());
   DisjointSets clusters(parts);
@@ -28,24 +31,22 @@ void SetSolves::findClusters(const ClosedSet& closed) {
   for (int p = 0; p < parts; ++p) clusterOf_.push_back(clusters.lowest(p));
 }
 
-bool SetSolves::oneCluster() const {
+bool ClusterScales::oneCluster() const {
   return std::all_of(clusterOf_.begin(), clusterOf_.end(), [&](int cluster) { return cluster == clusterOf_.front(); });
 }
 
 /// U.S U of each cluster, stored at its first part.
-Vector SetSolves::energies(const InterfaceState& state) const {
+Vector ClusterScales::energies(const InterfaceState& state) const {
   const Vector ofParts = sets_.energies(state);
   Vector sums = Vector::Zero(ofParts.size());
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) sums(clusterOf_[p]) += std::max(ofParts(static_cast<Eigen::Index>(p)), 0.0);
   return sums;
 }
 
-/// Scales of the clusters: from the energies of the state `from`, or from the residual if there are none yet. `state` is the start of the
-/// solve, with closed gaps, which may need far more energy than the solution has.
-void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load) {
-  const Vector energy = deformed_ ? energies(from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
-  lift_ = energies(state).cwiseSqrt();
-  largest_ = largest_.cwiseMax(sets_.energies(state));
+void ClusterScales::scaleBy(const InterfaceState* from, const InterfaceState& start, const MultiVector& load) {
+  const Vector energy = from ? energies(*from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
+  lift_ = energies(start).cwiseSqrt();
+  largest_ = largest_.cwiseMax(sets_.energies(start));
   scale_.clear();
   size_.resize(0);
   scaled_ = false;
@@ -59,7 +60,7 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
     }
     return;
   }
-  const Vector ofParts = productsByPart(load);
+  const Vector ofParts = productsByPart(sets_, *run_.preconditioner, load);
   Vector fresh = Vector::Zero(energy.size());
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) fresh(clusterOf_[p]) += ofParts(static_cast<Eigen::Index>(p));
   size_.resize(energy.size());
@@ -75,7 +76,7 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
 }
 
 /// Energy norms assigned to idle clusters, a fraction of their neighbours' norms; stored at the first parts of the clusters.
-Vector SetSolves::lentNorms(const Vector& norms) const {
+Vector ClusterScales::lentNorms(const Vector& norms) const {
   const ContactBodies& bodies = sets_.bodies();
   std::vector<double> own;
   for (const int cluster : clusterOf_) own.push_back(norms(cluster));
@@ -89,10 +90,7 @@ Vector SetSolves::lentNorms(const Vector& norms) const {
   return all;
 }
 
-Vector SetSolves::productsByPart(const MultiVector& r) const { return suture::productsByPart(sets_, *run_.preconditioner, r); }
-
-/// Largest ratio of the reference norm of a cluster and the energy norm of its solution.
-double SetSolves::overestimate(const InterfaceState& state, double tolerance) const {
+double ClusterScales::overestimate(const InterfaceState& state, double tolerance) const {
   if (run_.automatic.on()) return 1.0;
   Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
   own = own.cwiseMax(lentNorms(own));
@@ -107,16 +105,16 @@ double SetSolves::overestimate(const InterfaceState& state, double tolerance) co
   return most;
 }
 
-void SetSolves::scale(MultiVector& x, bool inverse) const {
+void ClusterScales::scale(MultiVector& x, bool inverse) const {
   if (!scaled_) return;
   auto values = localView(x);
   for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
 }
 
-/// Global residual, or the largest residual of a body relative to its own energy, if that is larger; tolerances are tightened then. The
-/// image of the state is cached in the state.
-double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
-  const Vector energy = sets_.energies(state), own = productsByPart(residual);
+void ClusterScales::recordSolution(const InterfaceState& state) { found_ = found_.cwiseMax(sets_.energies(state)); }
+
+ClusterScales::Norm ClusterScales::norm(const MultiVector& residual, const InterfaceState& state) {
+  const Vector energy = sets_.energies(state), own = productsByPart(sets_, *run_.preconditioner, residual);
   largest_ = largest_.cwiseMax(energy);
   const Vector nothing = kNegligibleEnergyNorm * kNegligibleEnergyNorm * largest_;
   Vector least = Vector::Zero(energy.size());
@@ -129,12 +127,7 @@ double SetSolves::norm(const MultiVector& residual, const InterfaceState& state)
     if (own(at) == 0.0 || (energy(at) <= nothing(at) && own(at) <= nothing(at))) continue;
     sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
   }
-  const double bodies = bodyResidual(own, energy, largest_, least);
-  const double whole = whole_ = std::sqrt(std::max(sum, 0.0));
-  if (run_.automatic.on() || bodies <= whole) return whole;
-  const double final = run_.settings.tolerance;
-  if (whole <= final && bodies > final) sharper_ = std::min(sharper_, kSharper * whole / bodies);
-  return bodies;
+  return {std::sqrt(std::max(sum, 0.0)), run_.automatic.on() ? 0.0 : bodyResidual(own, energy, largest_, least)};
 }
 
 }  // namespace suture
