@@ -7,6 +7,7 @@
 #include <suture/report/answers/Answers.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/StepLength.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -27,7 +28,9 @@ namespace {
 constexpr double kSameTime = 1e-9;  // fraction of a step: a time nearer to its end is the end
 constexpr double kEasy = 0.5;       // fraction of the largest change, below which the next step is longer
 constexpr double kSudden = 0.9;     // fraction of the changes of a step found in its half that marks a sudden change
-constexpr double kWork = 100.0;     // allowed imbalance of work, in accuracies of a solution
+// Part of the largest change that the next step is planned for: pairs that slip pass their load on, so that more change than predicted.
+constexpr double kPlanned = 0.5;
+constexpr double kWork = 100.0;  // allowed imbalance of work, in accuracies of a solution
 
 std::string timeText(double time) {
   std::ostringstream text;
@@ -165,7 +168,7 @@ void Simulation::followPath() {
   int changedFirst = 0, changedBefore = 0;  // pairs, in the last two trials of the step
   double began = Timers::now();
   for (auto target = std::upper_bound(times.begin(), times.end(), path_->time()); target != times.end();) {
-    const double whole = *target - (target == times.begin() ? 0.0 : *(target - 1)), begin = path_->time();
+    const double segment = target == times.begin() ? 0.0 : *(target - 1), whole = *target - segment, begin = path_->time();
     const bool isLast = begin + path_->length >= *target - kSameTime * whole;
     const double time = isLast ? *target : begin + path_->length, length = time - begin;
     monitor_.beginStep(static_cast<int>(path_->rows.size()) + 1);
@@ -210,6 +213,11 @@ void Simulation::followPath() {
     total.otherApplications += solution.otherApplications;
     row = StepRow();
     changedFirst = changedBefore = 0;
+    if (hasBefore && !isLast && begin >= segment && scene_.laws.restrictSliding()) {
+      double planned = predictedLength(before.pairs, solution.pairs, length, std::max(1, static_cast<int>(kPlanned * allowed)));
+      broadcastBytes(*comm_, &planned, sizeof planned);
+      path_->length = std::min(path_->length, std::max(planned, whole * std::pow(0.5, scene_.steps.halvings())));
+    }
     before = std::move(solution);
     hasBefore = true;
     if (isLast) ++target;
