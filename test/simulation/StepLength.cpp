@@ -26,8 +26,7 @@ TEUCHOS_UNIT_TEST(StepLength, EndsWhereAPairReachesItsBound) {
 }
 
 TEUCHOS_UNIT_TEST(StepLength, FollowsAFallingBoundAndATurningForce) {
-  // The force (3 - s, 4) with bound 5 - s: |f| = bound at s = 0 only for s < 0; from (0, 2) by (1, 0) with bound 4 - s: 4 + s^2 = (4 -
-  // s)^2.
+  // Force (s, 2) and bound 4 - s after a fraction s of a further step: s^2 + 4 = (4 - s)^2.
   const std::vector<PairResult> before{pairOf(PairStatus::Stick, 16.0, {-1, 2, 0}, 5.0)},
       now{pairOf(PairStatus::Stick, 12.0, {0, 2, 0}, 4.0)};
   TEST_FLOATING_EQUALITY(predictedLength(before, now, 1.0, 1), 1.5, 1e-14);
