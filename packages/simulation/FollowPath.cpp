@@ -28,7 +28,9 @@ namespace {
 constexpr double kSameTime = 1e-9;  // fraction of a step: a time nearer to its end is the end
 constexpr double kEasy = 0.5;       // fraction of the largest change, below which the next step is longer
 constexpr double kSudden = 0.9;     // fraction of the changes of a step found in its half that marks a sudden change
-// Part of the largest change that the next step is planned for: pairs that slip pass their load on, so that more change than predicted.
+// Part of the largest change that the next step is planned for: pairs that slip pass their load on, so that more change than predicted. Not
+// critical: with .25, .5, .75, 1 a fault needs 600, 476, 527, 582 iterations of conjugate gradients (696 without plan), a stick-slip cycle
+// 1,464, 1,490, 1,455, 1,492 (1,551).
 constexpr double kPlanned = 0.5;
 constexpr double kWork = 100.0;  // allowed imbalance of work, in accuracies of a solution
 
