@@ -21,7 +21,7 @@ constexpr double kComparable = 0.5;  // change of the accuracy up to which solut
 constexpr double kNearStart = 0.75;  // accuracy of the first solve near the solution, as a power of the range of accuracies
 constexpr int kStateShorter = 18;    // maximum number of times that a step is shortened
 // Ratio of successive steps. Shipped scenes need 668 solves with .5, 665 with .7, 668 with .8, 671 with .9; a bolted joint in 3D 14, 12, 11
-// and 12.
+// and 12; 300 random scenes with friction 1,419 with .5, 1,425 with .65, 1,342 with .7, and the same ones are solved.
 constexpr double kStateRatio = 0.7;
 constexpr double kStateLeastFall = 2e-4;  // least decrease of the squared distance, relative to it and to the step
 constexpr double kStateProgress = 1e-6;   // relative decrease of the distance that counts as progress

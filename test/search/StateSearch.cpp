@@ -283,7 +283,7 @@ TEUCHOS_UNIT_TEST(StateSearch, LetsAnotherPairHoldABody) {
 TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionOfFewPairsWhereThereIsOne) {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
-  int solvable = 0, solved = 0, many = 0, most = 0;
+  int solvable = 0, solved = 0, many = 0, most = 0, missedWithLess = 0;
   for (int trial = 0; trial < 400; ++trial) {
     const double mu = 0.1 + 1.4 * std::abs(value(random));
     CondensedBody body(2, 4);
@@ -309,13 +309,15 @@ TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionOfFewPairsWhereThereIsOne) {
     solved += found.converged;
     many += solutions > 1;
     most = std::max(most, found.solves);
+    missedWithLess += solutions > 0 && !found.converged && mu < 0.95;
     if (found.converged != (solutions > 0))
       out << "trial " << trial << ", mu " << mu << ": " << solutions << " solutions, slides " << found.slides.size() << " after "
           << found.solves << " violation " << body.violation() << " u " << body.u.cwiseAbs().maxCoeff() << "\n";
   }
   out << solvable << " of 400 have a solution, " << many << " more than one, " << solved << " were found, in " << most
       << " solves at most\n";
-  TEST_COMPARE(solved, >=, solvable - 6);  // these six have coefficients of .98 and more
+  TEST_EQUALITY(missedWithLess, 0);
+  TEST_COMPARE(solved, >=, solvable - 9);  // 5 to 9 with ratios of successive steps from .5 to .8, all with coefficients of .97 and more
   TEST_COMPARE(solvable, >, 200);
 }
 
