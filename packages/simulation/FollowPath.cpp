@@ -29,8 +29,8 @@ constexpr double kSameTime = 1e-9;  // fraction of a step: a time nearer to its 
 constexpr double kEasy = 0.5;       // fraction of the largest change, below which the next step is longer
 constexpr double kSudden = 0.9;     // fraction of the changes of a step found in its half that marks a sudden change
 // Part of the largest change that the next step is planned for: pairs that slip pass their load on, so that more change than predicted. Not
-// critical: with .25, .5, .75, 1 a fault needs 600, 476, 527, 582 iterations of conjugate gradients (696 without plan), a stick-slip cycle
-// 1,464, 1,490, 1,455, 1,492 (1,551).
+// critical: with .5, .75, 1 and without plan a fault needs 502, 646, 588, 696 iterations of conjugate gradients, a stick-slip cycle 1,534,
+// 1,440, 1,555, 1,551, a pad that is unloaded 222, 230, 177, 435.
 constexpr double kPlanned = 0.5;
 constexpr double kWork = 100.0;  // allowed imbalance of work, in accuracies of a solution
 
@@ -216,7 +216,7 @@ void Simulation::followPath() {
     row = StepRow();
     changedFirst = changedBefore = 0;
     if (hasBefore && !isLast && begin >= segment && scene_.laws.restrictSliding()) {
-      double planned = predictedLength(before.pairs, solution.pairs, length, std::max(1, static_cast<int>(kPlanned * allowed)));
+      double planned = predictedLength(before.pairs, solution.pairs, length, std::max(1, static_cast<int>(std::ceil(kPlanned * allowed))));
       broadcastBytes(*comm_, &planned, sizeof planned);
       path_->length = std::min(path_->length, std::max(planned, whole * std::pow(0.5, scene_.steps.halvings())));
     }
