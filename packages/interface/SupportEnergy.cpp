@@ -1,4 +1,5 @@
 #include <suture/interface/SupportEnergy.hpp>
+#include <suture/motion/BodyParts.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -23,10 +24,10 @@ SupportEnergy::SupportEnergy(const InterfaceSpace& space, const ContactBodies& b
     for (int dof = 0; dof < subdomain.dofs(); ++dof) {
       const auto at = space.map()->getLocalElement(subdomain.globalDof(dof));
       if (at < 0) continue;
-      const Point along = subdomain.direction(dof);
-      const Matrix moved = bodies.parts()[number].at(subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.components());
       ofOwned_.row(at).head(motions.cols()) =
-          (motions.transpose() * (moved.transpose() * Eigen::Map<const Vector>(along.data(), moved.rows()))).transpose();
+          along(bodies.parts()[number], subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), bodies.dimension())
+              .transpose() *
+          motions;
     }
   }
 }

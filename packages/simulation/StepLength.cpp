@@ -14,7 +14,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 double zeroOf(double value, double change) { return change < 0.0 ? std::max(0.0, -value / change) : kNever; }
 
 /// Where a sticking pair reaches its bound: the smallest s >= 0 with |f + s df| = b + s db.
-double slipOf(const PairResult& before, const PairResult& now) {
+double reachesBound(const PairResult& before, const PairResult& now) {
   if (!(now.bound > 0.0)) return kNever;
   const Point df = minus(now.tangential, before.tangential);
   const double db = now.bound - before.bound;
@@ -37,7 +37,8 @@ double changeOf(const PairResult& before, const PairResult& now) {
   if (before.state.closed() != now.state.closed() || !now.kind.separates) return kNever;
   if (!now.state.closed()) return zeroOf(now.gap, now.gap - before.gap);
   const double opens = zeroOf(now.force, now.force - before.force);
-  return before.state.status == PairStatus::Stick && now.state.status == PairStatus::Stick ? std::min(opens, slipOf(before, now)) : opens;
+  return before.state.status == PairStatus::Stick && now.state.status == PairStatus::Stick ? std::min(opens, reachesBound(before, now))
+                                                                                           : opens;
 }
 
 }  // namespace
