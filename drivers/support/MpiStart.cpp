@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <utility>
 
 namespace suture {
 
@@ -25,13 +24,18 @@ bool isInUsersFile(const std::string& name) {
 
 MpiStart::MpiStart() {
   if (launchedRank() || std::getenv("OMPI_COMM_WORLD_SIZE")) return;
-  const std::pair<const char*, const char*> settings[] = {{"pml", "ob1"}, {"ess_singleton_isolated", "1"}};
-  for (const auto& [name, value] : settings) {
-    const std::string variable = std::string("OMPI_MCA_") + name;
-    if (std::getenv(variable.c_str()) || isInUsersFile(name)) continue;
-    setenv(variable.c_str(), value, 0);
-    set_.push_back(variable);
-  }
+  set("pml", "ob1");
+  // All isolated processes have the same folder for temporary files, and each removes it at its end: of 600 runs, four at a time, four
+  // ended with "Error in file session_dir.c".
+  if (set("ess_singleton_isolated", "1")) set("orte_create_session_dirs", "0");
+}
+
+bool MpiStart::set(const std::string& name, const char* value) {
+  const std::string variable = "OMPI_MCA_" + name;
+  if (std::getenv(variable.c_str()) || isInUsersFile(name)) return false;
+  setenv(variable.c_str(), value, 0);
+  set_.push_back(variable);
+  return true;
 }
 
 MpiStart::~MpiStart() {

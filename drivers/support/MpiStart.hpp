@@ -19,6 +19,9 @@ class MpiStart {
   MpiStart& operator=(const MpiStart&) = delete;
 
  private:
+  /// False if the user has set it.
+  bool set(const std::string& name, const char* value);
+
   std::vector<std::string> set_;  // variables that were not set before
 };
 

@@ -112,12 +112,11 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
   pairs_ = sumOver(*comm_, mine);
   for (const auto& pieces : partition.piecesOf) pieces_ += static_cast<int>(pieces.size());
   linearised_.resize(groups_.size());
-  if (pairs_ > 0) sets_ = std::make_unique<CondensedSets>(*comm_, *this, subdomains_);
-  if (pairs_ > 0 && laws_.restrictSliding()) friction_ = std::make_unique<CondensedFriction>(*comm_, *this, *sets_);
+  if (pairs_ > 0) contact_ = std::make_unique<CondensedPairs>(*comm_, *this, subdomains_);
 }
 
 Vector CondensedProblem::movedRows(int group, const InterfaceState& state) const {
-  return sets_ ? sets_->movedRows(group, state) : Vector();
+  return contact_ ? contact_->movedRows(group, state) : Vector();
 }
 
 std::shared_ptr<const LinearisedGroup> CondensedProblem::linearised(int group, const std::vector<ContactState>& status) const {
@@ -128,7 +127,7 @@ std::shared_ptr<const LinearisedGroup> CondensedProblem::linearised(int group, c
 }
 
 void CondensedProblem::rememberPath(const std::vector<BodyForces>& carried) {
-  if (sets_) sets_->rememberPath(carried);
+  if (contact_) contact_->bodies().remember(carried);
 }
 
 double CondensedProblem::addPlain(const std::vector<Vector>& trace, Matrix& force) const {
@@ -233,7 +232,7 @@ InterfaceProblem::Evaluation CondensedProblem::evaluate(const InterfaceState& st
   });
   result.residual = space_->vector();
   space_->scatterAdd(force, *result.residual);
-  result.energy = sumOver(*comm_, energy) - (sets_ ? sets_->rigidWork(state) : 0.0);
+  result.energy = sumOver(*comm_, energy) - (contact_ ? contact_->rigidWork(state) : 0.0);
   result.changed = sumOver(*comm_, changed);
   result.active = sumOver(*comm_, active);
   return result;
@@ -271,7 +270,7 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
       values = plain_[i]->recover(trace[i]);
       const Subdomain& subdomain = plain_[i]->subdomain();
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
-      if (sets_) sets_->bodies().addMotion(plainSubdomain_[i], subdomain, state.rigid, values);
+      if (contact_) contact_->bodies().addMotion(plainSubdomain_[i], subdomain, state.rigid, values);
     }
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const ContactGroup& group = *groups_[g];
@@ -286,7 +285,7 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
         Vector& values = result.freeValues[groupMembers_[g][m]];
         values = Vector(subdomain.dofs());
         for (int k = 0; k < subdomain.dofs(); ++k) values(k) = response.displacement(group.positionsOf(static_cast<int>(m))[k]);
-        if (sets_) sets_->bodies().addMotion(groupMembers_[g][m], subdomain, state.rigid, values);
+        if (contact_) contact_->bodies().addMotion(groupMembers_[g][m], subdomain, state.rigid, values);
       }
       for (std::size_t p = 0; p < group.pairs().size(); ++p)
         result.pairs.push_back({group.pairs()[p].id, response.status[p], response.force(p)});
@@ -294,7 +293,7 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
       for (const ContactPair& pair : group.idlePairs()) result.pairs.push_back({pair.id, PairStatus::Open, 0.0});
     }
   });
-  result.energy = sumOver(*comm_, energy) - (sets_ ? sets_->rigidWork(state) : 0.0);
+  result.energy = sumOver(*comm_, energy) - (contact_ ? contact_->rigidWork(state) : 0.0);
   return result;
 }
 

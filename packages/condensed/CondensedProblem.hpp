@@ -1,6 +1,5 @@
 #pragma once
-#include <suture/condensed/CondensedFriction.hpp>
-#include <suture/condensed/CondensedSets.hpp>
+#include <suture/condensed/CondensedPairs.hpp>
 #include <suture/condensed/ContactGroup.hpp>
 #include <suture/condensed/LinearisedGroup.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
@@ -37,16 +36,14 @@ class CondensedProblem : public InterfaceProblem {
   int pairs() const override { return pairs_; }
 
   /// Null if no pair can change.
-  const ContactSets* sets() const override { return sets_.get(); }
+  const ContactProblem* contact() const override { return contact_.get(); }
   void rememberPath(const std::vector<BodyForces>& carried) override;
-  const FrictionStates* friction() const override { return friction_.get(); }
 
   const std::vector<std::unique_ptr<ContactGroup>>& groups() const { return groups_; }
   const ContactLaws& laws() const { return laws_; }
 
  private:
-  friend class CondensedSets;
-  friend class CondensedFriction;
+  friend class CondensedPairs;
   /// True if a law of the scene is not unilateral, so that groups cannot solve their contact problems themselves and pair states are given.
   bool isGiven() const { return laws_.restrictSliding() || !allSeparate_; }
   std::vector<Vector> traces(const MultiVector& trace) const;
@@ -77,8 +74,7 @@ class CondensedProblem : public InterfaceProblem {
   std::shared_ptr<const InterfaceSpace> space_;
   int pieces_ = 0, pairs_ = 0;
   bool allSeparate_ = true;  // no law keeps its pairs closed; the same on all ranks
-  std::unique_ptr<CondensedSets> sets_;
-  std::unique_ptr<CondensedFriction> friction_;                             // null where no law restricts sliding
+  std::unique_ptr<CondensedPairs> contact_;
   mutable std::vector<std::shared_ptr<const LinearisedGroup>> linearised_;  // one per group
 };
 

@@ -2,7 +2,7 @@
 #include <suture/condensed/TrescaFixedPoint.hpp>
 #include <suture/solver/AcceptSearch.hpp>
 #include <suture/solver/ActiveSet.hpp>
-#include <suture/solver/FrictionSolves.hpp>
+#include <suture/solver/InterfaceSolves.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -25,21 +25,21 @@ SemismoothNewton::SemismoothNewton(const Parameters& own) : innerTolerance_(own.
 double SemismoothNewton::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
 
 void SemismoothNewton::doSolve(Run& run) const {
-  const FrictionStates* friction = run.problem.friction();
-  if (!friction) {
+  if (!run.problem.contact() || !run.problem.contact()->laws().restrictSliding()) {
     ActiveSet::search(run, innerTolerance_);
     return;
   }
-  const RigidBodyModel& rigid = run.problem.sets()->bodies().rigid();
-  FrictionSolves solves(run, innerTolerance_);
+  const ContactProblem& contact = *run.problem.contact();
+  const RigidBodyModel& rigid = contact.bodies().rigid();
+  InterfaceSolves solves(run, innerTolerance_);
   PairStates start;
   if (run.given)
-    start = friction->statesOf(run.result.state.status);
+    start = contact.statesOf(run.result.state.status);
   else
-    run.result.state = friction->stateWith(PairStates(static_cast<std::size_t>(rigid.pairs())));
+    run.result.state = contact.stateWith(PairStates(static_cast<std::size_t>(rigid.pairs())));
   const StateSearch::Result found =
-      TrescaFixedPoint(rigid, friction->laws(), friction->sites(), solves, run.settings.maximumIterations).run(start);
-  run.result.state.status = friction->statusOf(found.states);
+      TrescaFixedPoint(rigid, contact.laws(), contact.sites(), solves, run.settings.maximumIterations).run(start);
+  run.result.state.status = contact.statusOf(found.states);
   acceptSearch(run, found);
 }
 

@@ -1,6 +1,6 @@
 #include <suture/base/Point.hpp>
+#include <suture/interface/ContactProblem.hpp>
 #include <suture/interface/PairForces.hpp>
-#include <suture/interface/PlainFlips.hpp>
 #include <suture/pairs/PairFrame.hpp>
 
 namespace suture {

@@ -6,7 +6,7 @@ namespace suture {
 
 void acceptSearch(OuterSolver::Run& run, const StateSearch::Result& found) {
   if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // failure of an earlier attempt
-  const bool rubs = run.problem.friction() != nullptr;
+  const bool rubs = run.problem.contact()->laws().restrictSliding();
   if (rubs && found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;
   if (!found.converged) {
     run.result.slides = found.slides;

@@ -2,8 +2,7 @@
 #include <suture/search/StateSearch.hpp>
 #include <suture/solver/AcceptSearch.hpp>
 #include <suture/solver/ActiveSet.hpp>
-#include <suture/solver/FrictionMethod.hpp>
-#include <suture/solver/SetSolves.hpp>
+#include <suture/solver/InterfaceSolves.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -23,26 +22,31 @@ ActiveSet::ActiveSet(const Parameters& own) : innerTolerance_(own.get<double>("I
 
 double ActiveSet::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
 
-void ActiveSet::doSolve(Run& run) const {
-  if (run.problem.friction())
-    searchFriction(run, innerTolerance_);
-  else
-    search(run, innerTolerance_);
-}
+void ActiveSet::doSolve(Run& run) const { search(run, innerTolerance_); }
 
 void ActiveSet::search(Run& run, double innerTolerance) {
-  if (!run.problem.sets()) throw InternalError("a method by sets needs a formulation whose contact states are sets of closed pairs");
-  const ContactSets& sets = *run.problem.sets();
-  SetSolves solves(run, innerTolerance);
-  if (run.given) {
+  if (!run.problem.contact()) throw InternalError("a method by pair states needs a formulation that offers them");
+  const ContactProblem& contact = *run.problem.contact();
+  const RigidBodyModel& rigid = contact.bodies().rigid();
+  const bool restricts = contact.laws().restrictSliding();
+  InterfaceSolves solves(run, innerTolerance);
+  if (!solves.couplesToNormal() && restricts)
+    throw InternalError("a formulation whose bounds on friction must be given needs a method that finds them");
+  if (run.given && !restricts) {
     solves.evaluateStart();
     if (run.done()) return;
   }
-  ClosedSet start = sets.closedSet(run.result.state.status);
-  if (sets.bodies().rigid().loosens(start)) start = sets.closedSet(sets.padState().status);
-  StateSearch search(sets.bodies().rigid(), solves, run.settings.maximumIterations);
-  const StateSearch::Result found = search.run(statesOf(start));
-  run.result.state.status = sets.statusOf(closedSet(found.states));
+  StateSearch search(rigid, contact.laws(), contact.sites(), solves, run.settings.maximumIterations);
+  PairStates start = contact.statesOf(run.result.state.status);
+  if (restricts && !run.given && run.settings.rigidStart) {
+    start = search.start();
+    run.result.state = contact.stateWith(start);
+  } else if (!restricts && rigid.loosens(closedSet(start))) {
+    start = contact.statesOf(contact.padState().status);
+  }
+  const bool isNear = restricts && run.given;
+  const StateSearch::Result found = search.run(std::move(start), isNear ? StateSearch::Start::Near : StateSearch::Start::Guess);
+  run.result.state.status = contact.statusOf(found.states);
   acceptSearch(run, found);
 }
 

@@ -3,7 +3,7 @@
 
 namespace suture {
 
-/// Active set on the interface for Contact On The Interface: StateSearch with conjugate gradients (SetSolves). Starts from rigid bodies
+/// Active set on the interface for Contact On The Interface: StateSearch with InterfaceSolves. Starts from rigid bodies
 /// on pads, without a linear solve, or with all pairs closed (Outer Solver/Start).
 ///
 /// Linear solves use the inner tolerance, tightened with the distance from the contact laws, until the set no longer changes, then the
@@ -14,7 +14,7 @@ class ActiveSet : public OuterSolver {
   explicit ActiveSet(const Parameters& own);
   bool solves(const Formulation& formulation) const override { return !formulation.hidesContact(); }
   bool knowsFriction() const override { return true; }
-  /// StateSearch from run.result.state, by conjugate gradients.
+  /// StateSearch from run.result.state, or with friction from its own start.
   /// \param innerTolerance  of linear solves until the set no longer changes
   static void search(Run& run, double innerTolerance);
 

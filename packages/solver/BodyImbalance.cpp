@@ -55,11 +55,11 @@ double bodyResidual(const Vector& own, const Vector& energy, const Vector& large
   return most;
 }
 
-Vector productsByPart(const ContactSets& sets, const Preconditioner& preconditioner, const MultiVector& r) {
+Vector productsByPart(const ContactProblem& contact, const Preconditioner& preconditioner, const MultiVector& r) {
   const MultiVectorPtr z = preconditioner.space()->vector();
   preconditioner.apply(r, *z);
-  const std::vector<int>& partOf = sets.partOfOwned();
-  Vector mine = Vector::Zero(static_cast<Eigen::Index>(sets.bodies().parts().size())), all = mine;
+  const std::vector<int>& partOf = contact.partOfOwned();
+  Vector mine = Vector::Zero(static_cast<Eigen::Index>(contact.bodies().parts().size())), all = mine;
   const auto a = localView(r), b = localView(static_cast<const MultiVector&>(*z));
   for (std::size_t k = 0; k < partOf.size(); ++k)
     mine(partOf[k]) += a(static_cast<Eigen::Index>(k), 0) * b(static_cast<Eigen::Index>(k), 0);

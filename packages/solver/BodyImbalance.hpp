@@ -27,6 +27,6 @@ double bodyImbalance(const ContactBodies& bodies, const Matrix& force, const Vec
 /// \param least  lower bound of the energy of each part, twice
 double bodyResidual(const Vector& own, const Vector& energy, const Vector& largest, const Vector& least);
 /// Products r.M^-1 r per part. Collective.
-Vector productsByPart(const ContactSets& sets, const Preconditioner& preconditioner, const MultiVector& r);
+Vector productsByPart(const ContactProblem& contact, const Preconditioner& preconditioner, const MultiVector& r);
 
 }  // namespace suture

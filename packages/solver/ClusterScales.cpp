@@ -12,19 +12,20 @@
 namespace suture {
 
 namespace {
+constexpr double kBodies = 4.0;      // accepted residual of a body relative to its own energy, in units of the global tolerance
 constexpr double kRounding = 1e-14;  // round-off in the answer of a solve, relative to the energy norm at its start
 }  // namespace
 
-ClusterScales::ClusterScales(OuterSolver::Run& run, const ContactSets& sets) : run_(run), sets_(sets) {
-  largest_ = found_ = sets_.bodies().carriedEnergy();
+ClusterScales::ClusterScales(OuterSolver::Run& run, const ContactProblem& contact) : run_(run), contact_(contact) {
+  largest_ = found_ = contact_.bodies().carriedEnergy();
 }
 
-void ClusterScales::find(const ClosedSet& closed) {
-  const RigidBodyModel& rigid = sets_.bodies().rigid();
-  const auto parts = static_cast<int>(sets_.bodies().parts().size());
+void ClusterScales::find(const PairStates& states) {
+  const RigidBodyModel& rigid = contact_.bodies().rigid();
+  const auto parts = static_cast<int>(contact_.bodies().parts().size());
   DisjointSets clusters(parts);
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (closed[i])
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (states[i].closed() || states[i].transverseStiffness > 0.0)
       for (const int part : rigid.data().bodies[i]) clusters.join(part, rigid.data().bodies[i].front());
   lift_ = Vector::Zero(parts);
   clusterOf_.clear();
@@ -37,7 +38,7 @@ bool ClusterScales::oneCluster() const {
 
 /// U.S U of each cluster, stored at its first part.
 Vector ClusterScales::energies(const InterfaceState& state) const {
-  const Vector ofParts = sets_.energies(state);
+  const Vector ofParts = contact_.energies(state);
   Vector sums = Vector::Zero(ofParts.size());
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) sums(clusterOf_[p]) += std::max(ofParts(static_cast<Eigen::Index>(p)), 0.0);
   return sums;
@@ -46,28 +47,35 @@ Vector ClusterScales::energies(const InterfaceState& state) const {
 void ClusterScales::scaleBy(const InterfaceState* from, const InterfaceState& start, const MultiVector& load) {
   const Vector energy = from ? energies(*from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
   lift_ = energies(start).cwiseSqrt();
-  largest_ = largest_.cwiseMax(sets_.energies(start));
+  largest_ = largest_.cwiseMax(contact_.energies(start));
   scale_.clear();
   size_.resize(0);
   scaled_ = false;
   largestScale_ = 1.0;
+  // With friction the last solution may be only round-off, for example if all pairs stick and prescribed displacements cause all the
+  // motion. The energy norm of the solution is at least that of the correction minus that of the start.
+  const bool isRough = contact_.laws().restrictSliding();
   // One cluster needs no scaling; an automatic tolerance needs the global error.
   if (oneCluster() || run_.automatic.on()) {
     reference_ = std::sqrt(energy.sum());
+    if (isRough) reference_ = std::max(reference_, preconditionedNorm(*run_.preconditioner, load) - lift_.norm());
     if (run_.automatic.on() && reference_ == 0.0) {  // it needs the size of the solution
       reference_ = preconditionedNorm(*run_.preconditioner, load);
       run_.automatic.startsFrom(reference_);
     }
     return;
   }
-  const Vector ofParts = productsByPart(sets_, *run_.preconditioner, load);
+  const Vector ofParts = productsByPart(contact_, *run_.preconditioner, load);
   Vector fresh = Vector::Zero(energy.size());
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) fresh(clusterOf_[p]) += ofParts(static_cast<Eigen::Index>(p));
   size_.resize(energy.size());
-  for (Eigen::Index c = 0; c < size_.size(); ++c) size_(c) = std::sqrt(std::max(energy(c) > 0.0 ? energy(c) : fresh(c), 0.0));
+  for (Eigen::Index c = 0; c < size_.size(); ++c) {
+    const double first = std::sqrt(std::max(fresh(c), 0.0)), last = std::sqrt(std::max(energy(c), 0.0));
+    size_(c) = isRough ? std::max(last, first - lift_(c)) : last > 0.0 ? last : first;
+  }
   size_ = size_.cwiseMax(lentNorms(size_));
   largestScale_ = size_.maxCoeff() > 0.0 ? size_.maxCoeff() : 1.0;
-  for (const int part : sets_.partOfOwned()) {
+  for (const int part : contact_.partOfOwned()) {
     const double own = size_(clusterOf_[part]);
     scale_.push_back(own > 0.0 ? own : largestScale_);
   }
@@ -77,7 +85,7 @@ void ClusterScales::scaleBy(const InterfaceState* from, const InterfaceState& st
 
 /// Energy norms assigned to idle clusters, a fraction of their neighbours' norms; stored at the first parts of the clusters.
 Vector ClusterScales::lentNorms(const Vector& norms) const {
-  const ContactBodies& bodies = sets_.bodies();
+  const ContactBodies& bodies = contact_.bodies();
   std::vector<double> own;
   for (const int cluster : clusterOf_) own.push_back(norms(cluster));
   std::vector<char> idle = bodies.idle();
@@ -111,10 +119,16 @@ void ClusterScales::scale(MultiVector& x, bool inverse) const {
   for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
 }
 
-void ClusterScales::recordSolution(const InterfaceState& state) { found_ = found_.cwiseMax(sets_.energies(state)); }
+void ClusterScales::recordSolution(const InterfaceState& state, double tolerance) {
+  const Vector now = contact_.energies(state);
+  const double own = std::sqrt(now.sum()), before = std::sqrt(found_.sum()),
+               negligible = std::max(tolerance, kNegligibleEnergyNorm / run_.settings.tolerance) * before;
+  unloaded_ = own < negligible ? tolerance * negligible / before : 0.0;
+  found_ = found_.cwiseMax(now);
+}
 
 ClusterScales::Norm ClusterScales::norm(const MultiVector& residual, const InterfaceState& state) {
-  const Vector energy = sets_.energies(state), own = productsByPart(sets_, *run_.preconditioner, residual);
+  const Vector energy = contact_.energies(state), own = productsByPart(contact_, *run_.preconditioner, residual);
   largest_ = largest_.cwiseMax(energy);
   const Vector nothing = kNegligibleEnergyNorm * kNegligibleEnergyNorm * largest_;
   Vector least = Vector::Zero(energy.size());
@@ -127,7 +141,7 @@ ClusterScales::Norm ClusterScales::norm(const MultiVector& residual, const Inter
     if (own(at) == 0.0 || (energy(at) <= nothing(at) && own(at) <= nothing(at))) continue;
     sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
   }
-  return {std::sqrt(std::max(sum, 0.0)), run_.automatic.on() ? 0.0 : bodyResidual(own, energy, largest_, least)};
+  return {std::sqrt(std::max(sum, 0.0)), run_.automatic.on() ? 0.0 : bodyResidual(own, energy, largest_, least) / kBodies};
 }
 
 }  // namespace suture

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Scales of residuals and unknowns for frictionless contact: the energy norms sqrt(U.S U) of clusters, bodies that closed pairs connect. S
-/// is block diagonal in clusters. Collective.
+/// Scales of residuals and unknowns: the energy norms sqrt(U.S U) of clusters, bodies that closed pairs or their springs connect. S is
+/// block diagonal in clusters. Collective.
 ///
 /// The norm of a residual is sqrt(r.M^-1 r) relative to the energy norm of the solution, for each cluster. Each block is scaled by its own
 /// energy for conjugate gradients, so that a weak cluster is solved as accurately as a strong one. At the end the residual of each body
@@ -14,10 +14,10 @@ namespace suture {
 class ClusterScales {
  public:
   /// Energies so far are those that the bodies have carried on the path of load steps.
-  ClusterScales(OuterSolver::Run& run, const ContactSets& sets);
+  ClusterScales(OuterSolver::Run& run, const ContactProblem& contact);
 
-  /// Clusters of a set of closed pairs.
-  void find(const ClosedSet& closed);
+  /// Finds the clusters of pair states.
+  void find(const PairStates& states);
   bool oneCluster() const;
 
   /// Scales for a linear solve.
@@ -35,7 +35,9 @@ class ClusterScales {
   double reference() const { return reference_; }
   void setReference(double value) { reference_ = value; }
   /// Records the energies of a solution.
-  void recordSolution(const InterfaceState& state);
+  void recordSolution(const InterfaceState& state, double tolerance);
+  /// Accuracy of the forces of the last solution relative to the largest ones of the path, if it has almost no energy; else zero.
+  double unloaded() const { return unloaded_; }
   /// Largest ratio of the reference norm of a cluster and the energy norm of its solution.
   double overestimate(const InterfaceState& state, double tolerance) const;
 
@@ -54,11 +56,12 @@ class ClusterScales {
   Vector lentNorms(const Vector& norms) const;
 
   OuterSolver::Run& run_;
-  const ContactSets& sets_;
+  const ContactProblem& contact_;
   std::vector<int> clusterOf_;  // by part
   Vector lift_;                 // energy norm of each cluster at the start of the last solve, which sets the round-off level
   Vector largest_;
-  Vector found_;               // the same for solutions only, without the energy of closing gaps
+  Vector found_;  // the same for solutions only, without the energy of closing gaps
+  double unloaded_ = 0.0;
   Vector size_;                // reference norm of the residual of each cluster
   std::vector<double> scale_;  // per owned unknown, if scaled_
   bool scaled_ = false;

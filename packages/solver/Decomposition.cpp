@@ -35,10 +35,10 @@ Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep
       solveInterface(*problem_, given.settings, monitor, from ? &*from : nullptr, discretisationError,
                      keep ? accepted : std::function<void(const InterfaceState&)>(), given.inSteps ? &preconditioner_ : nullptr);
   if (!result.converged && result.slides.size() > 0)
-    result.failure =
-        slidesAway(problem_->sets()->bodies(), result.slides, given.model.bodies, problem_->friction() != nullptr, result.multiple);
+    result.failure = slidesAway(problem_->contact()->bodies(), result.slides, given.model.bodies,
+                                problem_->contact()->laws().restrictSliding(), result.multiple);
   if (!result.converged && !result.unsettled.empty())
-    result.failure += unsettled(*problem_->sets(), result.unsettled, given.contacts, given.model.bodies,
+    result.failure += unsettled(*problem_->contact(), result.unsettled, given.contacts, given.model.bodies,
                                 result.iterations >= given.settings.sublist("Outer Solver").get<int>("Maximum Iterations"));
   return solutionOf(result);
 }

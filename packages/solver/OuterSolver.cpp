@@ -177,8 +177,8 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
           {},
           AutomaticTolerance(problem, settings.discretisationError)};
   const bool contact = problem.pairs() > 0;
-  const bool bySets = contact && worksBySets() && problem.sets() != nullptr;
-  const bool rubs = contact && problem.friction() != nullptr;
+  const bool bySets = contact && worksBySets() && problem.contact() != nullptr;
+  const bool rubs = contact && problem.contact() && problem.contact()->laws().restrictSliding();
   if (rubs && !bySets)
     throw InputError(
         "Outer Solver/Type",
@@ -186,7 +186,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
         "Groups");
   const bool startsItself = bySets && (given || settings.rigidStart || !wantsAuxiliary());
   result.state = given && contact                               ? *given
-                 : startsItself && settings.rigidStart && !rubs ? problem.sets()->padState()
+                 : startsItself && settings.rigidStart && !rubs ? problem.contact()->padState()
                                                                 : problem.initialState();
   run.reported = result.state.status;
   run.given = given != nullptr;
@@ -250,7 +250,8 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   if (bySets) {
     run.fromAuxiliary = true;
     run.preconditioned = result.state.status;
-    if (const ClosedSet next = problem.sets()->proposal(result.state); !next.empty()) result.state.status = problem.sets()->statusOf(next);
+    if (const PairStates next = problem.contact()->proposal(result.state); !next.empty())
+      result.state.status = problem.contact()->statusOf(next);
     run.evaluation.settled = false;
     doSolve(run);
     return conclude(run);

@@ -107,7 +107,7 @@ class OuterSolver {
   };
 
  protected:
-  /// True for a method that works by sets of closed pairs (InterfaceProblem::sets()) and measures residuals itself. doSolve() then finds
+  /// True for a method that works by pair states (InterfaceProblem::contact()) and measures residuals itself. doSolve() then finds
   /// its initial state in run.result.state, not evaluated. If this is the auxiliary solution (wantsAuxiliary() and Start = Bilateral),
   /// run.fromAuxiliary is true and the preconditioner exists; otherwise there is no preconditioner yet.
   virtual bool worksBySets() const { return false; }

@@ -25,10 +25,10 @@ InterfaceState stateOf(const Start& start, const InterfaceProblem& problem, cons
   return problem.stateOf(freeValues, start.status);
 }
 
-std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
+std::string unsettled(const ContactProblem& contact, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
                       const std::vector<std::string>& bodies, bool atLimit) {
   constexpr std::size_t kMost = 10;
-  const RigidBodyModel::Pairs& data = sets.bodies().rigid().data();
+  const RigidBodyModel::Pairs& data = contact.bodies().rigid().data();
   std::map<int, std::vector<int>> byLine;
   for (const int pair : pairs) byLine[data.line[pair]].push_back(pair);
   std::string text;
@@ -37,7 +37,7 @@ std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, co
     text += "; pairs ";
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (k < kMost) text += (k > 0 ? ", " : "") + std::to_string(own[k]);
-      for (const int part : data.bodies[own[k]]) names.insert("'" + bodies.at(sets.bodies().parts()[part].body) + "'");
+      for (const int part : data.bodies[own[k]]) names.insert("'" + bodies.at(contact.bodies().parts()[part].body) + "'");
     }
     if (own.size() > kMost) text += " and " + std::to_string(own.size() - kMost) + " more";
     text += " of contact '" + contacts.at(line) + "' (";

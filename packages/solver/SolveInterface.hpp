@@ -33,7 +33,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& se
 /// 'upper', 'lower') still open ...". Local.
 /// \param pairs  the last ones that changed, not empty;  \param contacts, bodies  names;  \param atLimit  it stopped at the limit of
 /// iterations
-std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
+std::string unsettled(const ContactProblem& contact, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
                       const std::vector<std::string>& bodies, bool atLimit = true);
 
 /// Message for a scene without equilibrium: the bodies that contact or friction does not hold, and their motion. Local.

@@ -26,7 +26,7 @@ def seen(name, words, **environment):
     return file.read_text().splitlines() if file.exists() else []
 
 
-SET, UNSET = "pml=ob1 isolated=1", "pml=- isolated=-"
+SET, UNSET = "pml=ob1 isolated=1 folders=0", "pml=- isolated=- folders=-"
 WAYS = {"program": ["env", "LD_PRELOAD=" + options.probe, options.solve, str(SCENE), "--check"]}
 if options.python:
     WAYS["python"] = ["env", "LD_PRELOAD=" + options.probe, "/usr/bin/python3", "-B", "-c", "import suture; from mpi4py import MPI; assert MPI.COMM_WORLD.size > 0"]
@@ -34,8 +34,8 @@ for way, words in WAYS.items():
     more = {"PYTHONPATH": options.python} if way == "python" else {}
     check(f"{way}: set when MPI begins, and not after", seen(way, words, **more), ["init " + SET, "after " + UNSET])
     check(f"{way}: the user's environment wins", seen(way + " user", words, OMPI_MCA_pml="^cm", OMPI_MCA_ess_singleton_isolated="0", **more),
-          ["init pml=^cm isolated=0", "after pml=^cm isolated=0"])
-    check(f"{way}: the user's file wins", seen(way + " file", words, **{**more, "HOME": str(home)}), ["init pml=- isolated=1", "after " + UNSET])
+          ["init pml=^cm isolated=0 folders=-", "after pml=^cm isolated=0 folders=-"])
+    check(f"{way}: the user's file wins", seen(way + " file", words, **{**more, "HOME": str(home)}), ["init pml=- isolated=1 folders=0", "after " + UNSET])
     launched = [*options.mpirun.split(), "-np", "2", *words]
     check(f"{way}: nothing is set under mpirun", [line.split()[1] for line in seen(way + " mpirun", launched, **more)], ["pml=-", "pml=-"])
 if options.python:

@@ -74,7 +74,7 @@ std::vector<Vector> someValues(const Blocks& all) {
 
 /// A set of closed pairs has no friction: sticking is a property of their states.
 InterfaceState allStuck(const ContactInterfaceProblem& problem, int pairs) {
-  InterfaceState state = problem.friction()->stateWith(PairStates(static_cast<std::size_t>(pairs), PairStatus::Stick));
+  InterfaceState state = problem.contact()->stateWith(PairStates(static_cast<std::size_t>(pairs), PairStatus::Stick));
   problem.conform(state);
   return state;
 }
@@ -198,9 +198,9 @@ TEUCHOS_UNIT_TEST(ContactInterfaceProblem, RoughBlocksThatMeetInAPoint) { agrees
 TEUCHOS_UNIT_TEST(ContactInterfaceProblem, ASetOfClosedPairsHasNoFriction) {
   const Scene scene = rough(pressedBlocks());
   const OnInterface one(scene, world());
-  TEST_ASSERT(one.problem.friction() != nullptr);
+  TEST_ASSERT(one.problem.contact() != nullptr);
   const ClosedSet closed(scene.constraints.pairs.size(), 1);
-  for (const ContactStates& status : {one.problem.statusOf(closed), one.problem.initialState().status})
+  for (const ContactStates& status : {one.problem.contact()->statusOf(statesOf(closed)), one.problem.initialState().status})
     for (const ContactState& state : status.front()) TEST_ASSERT(state == ContactState(PairStatus::Slip));
   Scene tied = pressedBlocks();
   tied.constraints.laws = ContactLaws({std::make_shared<Tied>()});

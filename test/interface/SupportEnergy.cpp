@@ -43,7 +43,7 @@ Vector energiesOf(const Scene& scene, double motion, double deformation) {
   }
   std::map<int, ContactState> open;
   for (const ContactPair& pair : scene.constraints.pairs) open[pair.id] = PairStatus::Open;
-  return one.problem.energies(one.problem.stateOf(values, open));
+  return one.problem.contact()->energies(one.problem.stateOf(values, open));
 }
 
 TEUCHOS_UNIT_TEST(SupportEnergy, IsNotPartOfTheEnergyOfABody) {

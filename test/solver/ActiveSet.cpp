@@ -27,7 +27,7 @@ struct Passing : InterfaceProblem {
   Recovered recover(const InterfaceState& state) const override { return real.recover(state); }
   int pieces() const override { return real.pieces(); }
   int pairs() const override { return real.pairs(); }
-  const ContactSets* sets() const override { return real.sets(); }
+  const ContactProblem* contact() const override { return real.contact(); }
 };
 
 // Every application of the operator uses every subdomain's Schur complement once, and nothing else does: BDDC uses the dense matrices.
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(ActiveSet, GoesOnFromASolution) {
   Parameters own;
   own.set("Inner Tolerance", 1e-3);
   // every rank must know the status of the pairs it sees, not of those that it reports
-  const ClosedSet closed = one.problem.closedSet(first.state.status);
+  const ClosedSet closed = closedSet(one.problem.contact()->statesOf(first.state.status));
   std::map<int, ContactState> status;
   for (std::size_t i = 0; i < closed.size(); ++i) status[static_cast<int>(i)] = closed[i] ? PairStatus::Slip : PairStatus::Open;
   const InterfaceState start = one.problem.stateOf(one.problem.interiors(first.state), status);

@@ -44,8 +44,8 @@ FarFromReference farFrom(const Scene& scene, const Blocks& all, const InterfaceP
                                              reference.displacement(dimension * Eigen::Index(all.meshes[s].globalNodes[node]) + k)) /
                                         moved);
   }
-  if (const FrictionStates* friction = problem.friction()) {
-    const PairValues values = friction->valuesOf(result.state);
+  if (const ContactProblem* contact = problem.contact()) {
+    const PairValues values = contact->valuesOf(result.state);
     for (const ContactPair& pair : scene.constraints.pairs) {
       const std::vector<Point> frame = pairFrame(pair.normal, dimension);
       Point jump{0, 0, 0};
@@ -174,7 +174,7 @@ TEUCHOS_UNIT_TEST(FrictionMethods, SayThatABodySlidesAway) {
         out << result.failure << " after " << result.iterations << " steps\n";
         TEST_ASSERT(result.slides.size() > 0);
         if (result.slides.size() == 0) continue;
-        const std::string said = slidesAway(one.problem.sets()->bodies(), result.slides, {"first", "second"}, true);
+        const std::string said = slidesAway(one.problem.contact()->bodies(), result.slides, {"first", "second"}, true);
         out << said << "\n";
         SUTURE_CHECK_SAYS(said, "no equilibrium was found: friction does not hold body '");
         SUTURE_CHECK_SAYS(said, "', which can move ");
@@ -209,7 +209,7 @@ TEUCHOS_UNIT_TEST(FrictionMethods, GoOnFromASolution) {
     const OuterResult first = solveWith("Active Set", one.problem, 1e-10);
     TEST_ASSERT(first.converged);
     std::map<int, ContactState> kept;
-    const PairStates states = one.problem.friction()->statesOf(first.state.status);
+    const PairStates states = one.problem.contact()->statesOf(first.state.status);
     for (std::size_t p = 0; p < states.size(); ++p) kept[int(p)] = states[p];
     const InterfaceState start = one.problem.stateOf(one.problem.interiors(first.state), kept);
     const OuterResult again = solveWith("Active Set", one.problem, 1e-8, "BDDC", &start);

@@ -31,9 +31,9 @@ struct TangentProblem {
   }
   static InterfaceState stateOf(const OnInterface& one, double friction) {
     PairStates states;
-    for (int p = 0; p < one.problem.bodies().rigid().pairs(); ++p)
+    for (int p = 0; p < one.problem.contact()->bodies().rigid().pairs(); ++p)
       states.push_back(p % 3 == 0 ? ContactState(PairStatus::Stick) : ContactState(PairStatus::Slip, {0, -1, 0}, 1e-3, p % 2 * friction));
-    InterfaceState state = one.problem.friction()->stateWith(states);
+    InterfaceState state = one.problem.contact()->stateWith(states);
     one.problem.conform(state);
     state.memory.reset();
     return state;

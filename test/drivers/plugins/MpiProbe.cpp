@@ -19,7 +19,7 @@ void write(const char* when) {
     return set ? set : "-";
   };
   std::ofstream(path, std::ios::app) << when << " pml=" << value("OMPI_MCA_pml") << " isolated=" << value("OMPI_MCA_ess_singleton_isolated")
-                                     << '\n';
+                                     << " folders=" << value("OMPI_MCA_orte_create_session_dirs") << '\n';
 }
 
 }  // namespace

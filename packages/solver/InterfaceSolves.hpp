@@ -3,42 +3,45 @@
 #include <suture/solver/ClusterScales.hpp>
 #include <suture/solver/OuterSolver.hpp>
 
-#include <vector>
-
 namespace suture {
 
-/// Linear solver of StateSearch for frictionless contact on the interface: preconditioned conjugate gradients. Collective.
-/// Residuals and unknowns are scaled by ClusterScales.
-class SetSolves : public LinearContactSolver {
+/// Linear solver of StateSearch for contact on the interface: conjugate gradients if the tangent is symmetric (no friction, stick, Tresca),
+/// GMRES if tangential forces depend on normal ones (Coulomb), both with the symmetric preconditioner of the space. Residuals and unknowns
+/// are scaled by ClusterScales. Collective.
+class InterfaceSolves : public LinearContactSolver {
  public:
   /// \param inner  tolerance of the loosest solves
-  SetSolves(OuterSolver::Run& run, double inner);
+  InterfaceSolves(OuterSolver::Run& run, double inner);
 
   /// Evaluates the given start of a run; run.done() is true if it is the solution.
   void evaluateStart();
 
   double loosest() const override { return inner_; }
   double tightest() const override { return run_.settings.tolerance; }
+  bool couplesToNormal() const override { return contact_.couplesToNormal(); }
   ContactAnswer solve(const PairStates& states, double tolerance) override;
-  void move(const Vector& motion) override;
+  void move(const Vector& motion) override { suture::move(run_.result.state, motion); }
   Vector motion() const override { return run_.result.state.rigid; }
   bool goesOn() override { return !run_.done() && !run_.stopRequested(); }
 
  private:
   void precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix);
-  double norm(const MultiVector& residual, const InterfaceState& state);
+  double norm(const PairValues& values, const InterfaceState& state);
   double middle() const;
   PairResolution finalResolution() const;
+  PairResolution resolution(double tolerance) const;
   void chooseOrigin(const InterfaceState& from, InterfaceState& state, int& applications);
   bool oneSolve(InterfaceState& state, bool goOn, double requested, InnerResult& cost, int& applications);
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                    int& applications);
+  bool canGoOn() const { return !matrix_.is_null() && matrix_->symmetric() && run_.inner.canGoOn(); }
+  ContactAnswer failed(std::string reason);
 
   OuterSolver::Run& run_;
-  const ContactSets& sets_;
+  const ContactProblem& contact_;
   const double inner_;
   MultiVectorPtr step_;
-  ClosedSet closed_;                // set of the last solve; empty if it cannot be resumed
+  PairStates last_;                 // states of the last solve; empty if it cannot be resumed
   ContactStates preconditioned_;    // states for which the preconditioner was made
   bool hasPreconditioner_ = false;  // the same on all ranks, including those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;

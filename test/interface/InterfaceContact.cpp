@@ -113,7 +113,7 @@ void tangentIsPetrovGalerkin(const Scene& scene, bool coulomb, bool& success, Te
   const DenseSpace space(*one.problem.space());
   const DenseFriction reference(scene, space);
   const int pairs = int(scene.constraints.pairs.size()), dimension = scene.mesh.dimension;
-  const FrictionStates& friction = *one.problem.friction();
+  const ContactProblem& friction = *one.problem.contact();
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const PairStates states = randomStates(pairs, dimension, seed, coulomb);
     const DenseFriction::Linear expected = reference.linear(states);
@@ -149,14 +149,14 @@ void tangentIsPetrovGalerkin(const Scene& scene, bool coulomb, bool& success, Te
   }
 }
 
-TEUCHOS_UNIT_TEST(FrictionStates, TangentsOfTrescaAreSymmetricWithSpringsAcross) {
+TEUCHOS_UNIT_TEST(InterfaceContact, TangentsOfTrescaAreSymmetricWithSpringsAcross) {
   for (const int dimension : {2, 3})
     for (const Sides sides : {Sides::Matching, Sides::Mortar, Sides::Obstacle})
       for (const double angle : {0.0, 0.78})
         tangentIsPetrovGalerkin(rubbedBlocks(dimension, sides, scenes::dry(0.1, 0.0), 2, false, angle), false, success, out);
 }
 
-TEUCHOS_UNIT_TEST(FrictionStates, TangentsOfCoulombTestWithTheDraggedRows) {
+TEUCHOS_UNIT_TEST(InterfaceContact, TangentsOfCoulombTestWithTheDraggedRows) {
   for (const int dimension : {2, 3})
     for (const Sides sides : {Sides::Matching, Sides::Mortar, Sides::Obstacle})
       for (const double angle : {0.0, 0.78})
@@ -164,12 +164,12 @@ TEUCHOS_UNIT_TEST(FrictionStates, TangentsOfCoulombTestWithTheDraggedRows) {
 }
 
 // For a trace that solves the linear problem of some states, forces, slips and penetrations equal those of the saddle-point system.
-TEUCHOS_UNIT_TEST(FrictionStates, ForcesAndSlipsAreThoseOfTheSaddlePointProblem) {
+TEUCHOS_UNIT_TEST(InterfaceContact, ForcesAndSlipsAreThoseOfTheSaddlePointProblem) {
   for (const int dimension : {2, 3})
     for (const Sides sides : {Sides::Matching, Sides::Mortar, Sides::Obstacle}) {
       const Scene scene = rubbedBlocks(dimension, sides, scenes::dry(0.1, 0.3));
       const OnInterface one(scene, world());
-      const FrictionStates& friction = *one.problem.friction();
+      const ContactProblem& friction = *one.problem.contact();
       const DenseSpace space(*one.problem.space());
       const DenseFriction reference(scene, space);
       const PairStates states = randomStates(int(scene.constraints.pairs.size()), dimension, 5, true);
@@ -213,20 +213,18 @@ TEUCHOS_UNIT_TEST(FrictionStates, ForcesAndSlipsAreThoseOfTheSaddlePointProblem)
     }
 }
 
-TEUCHOS_UNIT_TEST(FrictionStates, GoThroughTheFormulationUnchanged) {
+TEUCHOS_UNIT_TEST(InterfaceContact, GoThroughTheFormulationUnchanged) {
   for (const int dimension : {2, 3})
     for (const Sides sides : {Sides::Matching, Sides::Mortar, Sides::Obstacle}) {
       const Scene scene = rubbedBlocks(dimension, sides, scenes::dry(0.1, 0.3));
       const OnInterface one(scene, world());
-      const FrictionStates& friction = *one.problem.friction();
+      const ContactProblem& friction = *one.problem.contact();
       const int pairs = int(scene.constraints.pairs.size());
       for (unsigned seed = 1; seed <= 5; ++seed) {
         const PairStates states = randomStates(pairs, dimension, seed, true);
         const ContactStates status = friction.statusOf(states);
         TEST_ASSERT(friction.statesOf(status) == states);
         TEST_ASSERT(friction.statesOf(friction.stateWith(states).status) == states);
-        const ClosedSet closed = one.problem.closedSet(status);
-        for (int p = 0; p < pairs; ++p) TEST_EQUALITY(closed[p] != 0, states[p].closed());
         // By the ids of pairs, as in a checkpoint.
         std::map<int, ContactState> kept;
         for (int p = 0; p < pairs; ++p) kept[p] = states[p];
@@ -241,11 +239,11 @@ TEUCHOS_UNIT_TEST(FrictionStates, GoThroughTheFormulationUnchanged) {
     }
 }
 
-TEUCHOS_UNIT_TEST(FrictionStates, SitesAreThoseOfThePairs) {
+TEUCHOS_UNIT_TEST(InterfaceContact, SitesAreThoseOfThePairs) {
   for (const int dimension : {2, 3}) {
     const Scene scene = rubbedBlocks(dimension, Sides::Mortar, scenes::dry(0.1, 0.3));
     const OnInterface one(scene, world());
-    const std::vector<FrictionSite>& sites = one.problem.friction()->sites();
+    const std::vector<FrictionSite>& sites = one.problem.contact()->sites();
     TEST_EQUALITY(sites.size(), scene.constraints.pairs.size());
     for (std::size_t p = 0; p < sites.size(); ++p) {
       TEST_EQUALITY(norm(minus(sites[p].place, scene.constraints.pairs[p].position)), 0.0);
@@ -255,11 +253,11 @@ TEUCHOS_UNIT_TEST(FrictionStates, SitesAreThoseOfThePairs) {
   }
 }
 
-TEUCHOS_UNIT_TEST(FrictionStates, AreNotThereWithoutFriction) {
+TEUCHOS_UNIT_TEST(InterfaceContact, HasNoTangentialStiffnessWithoutFriction) {
   const OnInterface smooth(rubbedBlocks(2, Sides::Matching, std::make_shared<Frictionless>()), world());
-  TEST_ASSERT(smooth.problem.friction() == nullptr);
+  for (const FrictionSite& site : smooth.problem.contact()->sites()) TEST_EQUALITY(site.tangential, 0.0);
   const OnInterface guided(rubbedBlocks(2, Sides::Matching, std::make_shared<NoSeparation>()), world());
-  TEST_ASSERT(guided.problem.friction() == nullptr);
+  TEST_ASSERT(guided.problem.contact() == nullptr);  // no pair can change
 }
 
 /// Three loose stacked blocks, the lower contact with one law, the upper with another.
@@ -292,7 +290,7 @@ struct LooseStack {
   }
 };
 
-TEUCHOS_UNIT_TEST(FrictionStates, BodiesThatNeverPartMoveTogether) {
+TEUCHOS_UNIT_TEST(InterfaceContact, BodiesThatNeverPartMoveTogether) {
   using OneLaw = std::shared_ptr<const ContactLaw>;
   const OneLaw tied = std::make_shared<Tied>(), guided = std::make_shared<NoSeparation>(), smooth = std::make_shared<Frictionless>();
   using Laws = std::vector<OneLaw>;

@@ -1,8 +1,7 @@
 #include <suture/base/Collective.hpp>
+#include <suture/condensed/CondensedPairs.hpp>
 #include <suture/condensed/CondensedProblem.hpp>
-#include <suture/condensed/CondensedSets.hpp>
 #include <suture/condensed/GroupPairs.hpp>
-#include <suture/interface/PlainFlips.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -14,7 +13,7 @@
 
 namespace suture {
 
-CondensedSets::CondensedSets(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains)
+CondensedPairs::CondensedPairs(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains)
     : comm_(comm), problem_(problem) {
   std::map<int, double> stiffness;
   for (const auto& group : problem.groups()) {
@@ -30,78 +29,81 @@ CondensedSets::CondensedSets(const Comm& comm, const CondensedProblem& problem, 
       if (const auto at = space.map()->getLocalElement(subdomains[s]->globalDof(dof)); at >= 0)
         partOfOwned_[at] = bodies_->partOf(static_cast<int>(s));
   motions_ = std::make_unique<TraceMotions>(space, *bodies_, subdomains, partOfOwned_);
+  rigid_ = &bodies_->rigid();
+  sites_ = findSites();
 }
 
-Matrix CondensedSets::everywhere(const Matrix& mine) const {
+std::vector<FrictionSite> CondensedPairs::findSites() const {
+  Matrix mine = Matrix::Zero(rigid_->pairs(), kPairColumns);
+  for (const auto& group : problem_.groups()) {
+    const Vector rows = rowStiffness(*group);
+    for (int i = 0; i < group->rows().size(); ++i) {
+      std::array<double, 2> stiffness{0.0, 0.0};
+      for (int component = 1; component <= 2; ++component)
+        if (const int row = group->rows().rowOf(i, component); row >= 0) stiffness[static_cast<std::size_t>(component - 1)] = rows(row);
+      putSite(group->pairs()[i], stiffness, mine, group->pairs()[i].id);
+    }
+  }
+  return sitesFrom(everywhere(mine));
+}
+
+const ContactLaws& CondensedPairs::laws() const { return problem_.laws(); }
+
+Matrix CondensedPairs::everywhere(const Matrix& mine) const {
   Matrix all = mine;
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
   return all;
 }
 
-Vector CondensedSets::ofGroup(int group, const Vector& ofPairs) const {
+Vector CondensedPairs::ofGroup(int group, const Vector& ofPairs) const {
   const ContactRows& rows = problem_.groups()[group]->rows();
   Vector own(rows.size());
   for (int row = 0; row < rows.size(); ++row) own(row) = ofPairs(rows.pairIds[row]);
   return own;
 }
 
-ContactStates CondensedSets::statusOf(const ClosedSet& closed) const {
-  ContactStates status = problem_.initialState().status;
-  for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
-    const ContactRows& rows = problem_.groups()[g]->rows();
-    for (int row = 0; row < rows.size(); ++row)
-      status[problem_.placeOfGroup(static_cast<int>(g))][row] =
-          closed[rows.pairIds[row]] || !problem_.laws().of(rows.lines[row]).separates() ? rows.pressed[row] : ContactState();
+ContactStates CondensedPairs::statusOf(const PairStates& pairs) const {
+  ContactStates status(problem_.plain_.size());
+  for (const auto& group : problem_.groups()) {
+    const ContactRows& rows = group->rows();
+    status.emplace_back();
+    for (int i = 0; i < rows.size(); ++i)
+      status.back().push_back(problem_.laws().of(rows.lines[i]).separates() ? pairs[rows.pairIds[i]] : rows.pressed[i]);
   }
   return status;
 }
 
-ClosedSet CondensedSets::closedSet(const ContactStates& status) const {
-  Matrix mine = Matrix::Zero(bodies_->rigid().pairs(), 1);
+PairStates CondensedPairs::statesOf(const ContactStates& status) const {
+  Matrix mine = Matrix::Zero(rigid_->pairs(), kPairColumns);
   for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
-    const ContactRows& rows = problem_.groups()[g]->rows();
-    for (int row = 0; row < rows.size(); ++row)
-      mine(rows.pairIds[row], 0) = status[problem_.placeOfGroup(static_cast<int>(g))][row].closed();
+    const std::vector<int>& ids = problem_.groups()[g]->rows().pairIds;
+    for (std::size_t i = 0; i < ids.size(); ++i) putState(status[problem_.placeOfGroup(static_cast<int>(g))][i], mine, ids[i]);
   }
-  const Matrix all = everywhere(mine);
-  ClosedSet set(all.rows(), 0);
-  for (std::size_t i = 0; i < set.size(); ++i) set[i] = all(static_cast<Eigen::Index>(i), 0) != 0.0;
-  return set;
+  return statesFrom(everywhere(mine));
 }
 
-InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, PairResolution resolution) const {
-  const int pairs = bodies_->rigid().pairs();
-  const std::vector<Vector> trace = problem_.traces(*state.trace);
-  Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1);
-  Matrix mine = Matrix::Zero(pairs, 3);  // forces, penetrations, round-off of penetrations
-  InterfaceEvaluation result;
-  const double energy = problem_.addLinear(state, trace, out, [&](int group, const ContactGroup::Response& response, const Vector& moved) {
-    const ContactGroup& own = *problem_.groups()[group];
-    const std::vector<PairForces> pairs = pairForces(own, response, moved);
-    for (int row = 0; row < own.rows().size(); ++row) {
-      const PairForces& pair = pairs[row];
-      const bool closed = response.status[row].closed();
-      const int id = own.rows().pairIds[row];
-      mine(id, 0) = closed ? pair.normal : 0.0;
-      mine(id, 1) = closed ? 0.0 : -pair.gap;
-      mine(id, 2) = kGapDigits * pair.digits;
-    }
-  });
+PairValues CondensedPairs::valuesOf(const InterfaceState& state) const {
+  Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1), mine = Matrix::Zero(rigid_->pairs(), kPairColumns);
+  const double energy = problem_.addLinear(state, problem_.traces(*state.trace), out,
+                                           [&](int group, const ContactGroup::Response& response, const Vector& moved) {
+                                             const ContactGroup& own = *problem_.groups()[group];
+                                             const std::vector<PairForces> pairs = pairForces(own, response, moved);
+                                             for (std::size_t i = 0; i < pairs.size(); ++i)
+                                               putPair(response.status[i], pairs[i], mine, own.rows().pairIds[i]);
+                                           });
   const Matrix all = everywhere(mine);
-  const RigidBodyModel& rigid = bodies_->rigid();
-  const ClosedSet closed = closedSet(state.status);
-  result.force = all.col(0);
-  result.penetration = all.col(1);
-  result.next = statusOf(plainFlips(rigid, problem_.laws(), closed, resolution, all.col(2), result));
+  PairValues result;
+  result.force = all.leftCols(3);
+  result.jump = all.middleCols(3, 3);
+  result.digits = all.col(6);
   result.residual = problem_.space()->vector();
   problem_.space()->scatterAdd(out, *result.residual);
-  double total = 0.0;
-  Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, energy, Teuchos::outArg(total));
-  result.energy = total - rigidWork(state);
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, energy, Teuchos::outArg(result.energy));
+  result.energy -= rigidWork(state);
   return result;
 }
 
-ClosedSet CondensedSets::proposal(const InterfaceState& state) const {
+PairStates CondensedPairs::proposal(const InterfaceState& state) const {
   if (problem_.isGiven()) return {};
   const std::vector<Vector> trace = problem_.traces(*state.trace);
   ContactStates next = state.status;
@@ -116,29 +118,21 @@ ClosedSet CondensedSets::proposal(const InterfaceState& state) const {
   }
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_MIN, found, Teuchos::outArg(all));
   if (all == 0.0) return {};
-  return closedSet(next);
+  return statesOf(next);
 }
 
-InterfaceState CondensedSets::padState() const {
-  RigidBodyModel& rigid = bodies_->rigid();
+InterfaceState CondensedPairs::stateWith(const PairStates& pairs) const {
   InterfaceState state;
   state.trace = problem_.space()->vector();
-  state.status = statusOf(rigid.start());
-  move(state, rigid.project(rigid.data().penetration).motion);
+  state.status = statusOf(pairs);
   return state;
 }
 
-void CondensedSets::move(InterfaceState& state, const Vector& motion) const {
-  if (motion.size() == 0 || motion.isZero(0.0)) return;
-  if (state.rigid.size() == 0) state.rigid = Vector::Zero(motion.size());
-  state.rigid += motion;
-}
+void CondensedPairs::separate(InterfaceState& state) const { move(state, motions_->takeOut(*state.trace)); }
 
-void CondensedSets::separate(InterfaceState& state) const { move(state, motions_->takeOut(*state.trace)); }
-
-Vector CondensedSets::movedRows(int group, const InterfaceState& state) const {
+Vector CondensedPairs::movedRows(int group, const InterfaceState& state) const {
   if (state.rigid.size() == 0) return {};
-  const RigidBodyModel::Pairs& data = bodies_->rigid().data();
+  const RigidBodyModel::Pairs& data = rigid_->data();
   const ContactRows& rows = problem_.groups()[group]->rows();
   Vector moved = Vector::Zero(rows.rows.rows());
   for (std::size_t component = 0; component <= data.tangents.size(); ++component) {
@@ -149,17 +143,17 @@ Vector CondensedSets::movedRows(int group, const InterfaceState& state) const {
   return moved;
 }
 
-double CondensedSets::rigidWork(const InterfaceState& state) const {
-  return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
+double CondensedPairs::rigidWork(const InterfaceState& state) const {
+  return state.rigid.size() > 0 ? rigid_->data().work.dot(state.rigid) : 0.0;
 }
 
 /// Stores the energies, because they need a solve in each group.
-int CondensedSets::remember(InterfaceState& state) const {
+int CondensedPairs::remember(InterfaceState& state) const {
   if (!state.memory) state.memory = std::make_shared<Matrix>(energies(state));
   return 0;
 }
 
-Vector CondensedSets::energies(const InterfaceState& state) const {
+Vector CondensedPairs::energies(const InterfaceState& state) const {
   if (state.memory) return state.memory->col(0);
   const std::vector<Vector> trace = problem_.traces(*state.trace);
   Matrix mine = Matrix::Zero(static_cast<Eigen::Index>(bodies_->parts().size()), 1);
