@@ -1,16 +1,18 @@
 #include <cholmod.h>
+#include <suture/algebra/CholmodFactor.hpp>
+#include <suture/algebra/CholmodHandle.hpp>
 #include <suture/algebra/SerialSection.hpp>
+#include <suture/algebra/SparseMatrix.hpp>
+#include <suture/algebra/WorkSpace.hpp>
 #include <suture/algebra/elimination/PivotCheck.hpp>
+#include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/algebra/elimination/Supervariables.hpp>
-#include <suture/algebra/solvers/CholmodData.hpp>
+#include <suture/algebra/solvers/CholmodTriangle.hpp>
 #include <suture/base/Errors.hpp>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <numeric>
-
-// LAPACK: upper <- U U^T in place, with a third of the operations of a general product.
-extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+#include <vector>
 
 namespace suture {
 
@@ -18,6 +20,8 @@ namespace {
 
 constexpr int kLeastForMetis = 300;  // unknowns; for fewer, METIS is slower
 constexpr double kSpace = 2.5;       // least unknowns per node: in 2D, where nodes have two, AMD has hardly more fill and is faster
+
+constexpr int columnsAtOnce = 32;  // right-hand sides that share one pass over L
 
 // CHOLMOD's view of the lower triangle of an Eigen matrix, without a copy; CHOLMOD does not write to it.
 cholmod_sparse viewOf(const Eigen::SparseMatrix<double>& matrix) {
@@ -38,6 +42,18 @@ cholmod_sparse viewOf(const Eigen::SparseMatrix<double>& matrix) {
 }
 
 }  // namespace
+
+struct CholmodFactor::Data : CholmodHandle {
+  void order(const Eigen::SparseMatrix<double>& matrix, CholmodOptions::Ordering ordering);
+  void factorise(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options);
+  void judgePivots(const Vector& diagonal, PivotCheck& check);
+  void solve(int upTo, LocalView rhs) const;
+
+  std::vector<int> permutation;  // column of L -> dof
+  CholmodTriangle triangle;
+  Vector shift;
+  Statistics statistics;
+};
 
 CholmodOptions::Ordering CholmodOptions::orderingNamed(const std::string& name) {
   return name == "METIS" ? Ordering::Metis : name == "AMD" ? Ordering::Amd : Ordering::Automatic;
@@ -106,37 +122,38 @@ void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, c
   check("factorisation");
   PivotCheck pivots(n, statistics.trailing);
   if (factor->minor < factor->n) pivots.notPositive(permutation[factor->minor], static_cast<int>(factor->minor));
-  statistics.supernodal = factor->is_super != 0;
-  if (statistics.supernodal) {
-    columnSupernode.resize(n);
-    const int* super = static_cast<const int*>(factor->super);
-    for (std::size_t s = 0; s < factor->nsuper; ++s) {
-      std::fill(columnSupernode.begin() + super[s], columnSupernode.begin() + super[s + 1], int(s));
-      mostRows = std::max(mostRows, supernode(int(s), n).rows);
-    }
-    statistics.bytes = sizeof(double) * double(factor->xsize) + sizeof(int) * double(factor->ssize);
-  } else {
-    statistics.bytes = (sizeof(double) + sizeof(int)) * double(factor->nzmax);
-  }
+  triangle = CholmodTriangle(*factor);
+  statistics.supernodal = triangle.isSupernodal();
+  statistics.bytes = triangle.bytes();
   judgePivots(diagonal, pivots);
-}
-
-double CholmodFactor::Data::pivot(int column) const {
-  const double* x = static_cast<const double*>(factor->x);
-  if (!statistics.supernodal) return x[static_cast<const int*>(factor->p)[column]];
-  const Supernode s = supernode(columnSupernode[column], statistics.size);
-  const int inside = column - s.first;
-  return s.values[std::size_t(inside) * s.stride + inside];
 }
 
 void CholmodFactor::Data::judgePivots(const Vector& diagonal, PivotCheck& check) {
   for (int j = 0; j < statistics.size; ++j) {
-    const double l = pivot(j);
+    const double l = triangle.pivot(j);
     check.see(permutation[j], l * l, diagonal[j]);
   }
   statistics.smallestPivot = check.smallest();
   statistics.smallestPivotDof = check.unknown();
   check.judge();
+}
+
+void CholmodFactor::Data::solve(int upTo, LocalView rhs) const {
+  if (rhs.rows() != upTo)
+    throw InternalError("CholmodFactor: right-hand side of " + std::to_string(rhs.rows()) + " rows for " + std::to_string(upTo) + " dofs");
+  if (upTo == 0) return;
+  thread_local std::vector<double> kept;
+  WorkSpace space(upTo, std::min<Eigen::Index>(rhs.cols(), columnsAtOnce), kept);
+  Eigen::Map<Matrix>& work = space.values;
+  for (Eigen::Index first = 0; first < rhs.cols(); first += columnsAtOnce) {
+    const Eigen::Index count = std::min<Eigen::Index>(columnsAtOnce, rhs.cols() - first);
+    auto x = work.leftCols(count);
+    for (Eigen::Index c = 0; c < count; ++c)
+      for (int j = 0; j < upTo; ++j) x(j, c) = rhs(permutation[j], first + c);
+    triangle.solve(x);
+    for (Eigen::Index c = 0; c < count; ++c)
+      for (int j = 0; j < upTo; ++j) rhs(permutation[j], first + c) = x(j, c);
+  }
 }
 
 CholmodFactor::CholmodFactor(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options) : data_(std::make_unique<Data>()) {
@@ -170,32 +187,14 @@ void CholmodFactor::solve(LocalView rhs) const { data_->solve(size(), rhs); }
 void CholmodFactor::solveLeading(LocalView rhs) const { data_->solve(size() - trailing(), rhs); }
 
 Matrix CholmodFactor::trailingSchur() const {
-  const int n = size(), nb = trailing(), leading = n - nb;
-  // L rotated by 180 degrees is upper triangular, U, and U U^T is L L^T rotated.
-  Matrix upper = Matrix::Zero(nb, nb);
-  if (nb == 0) return upper;
-  const auto turned = [&](int dof) { return n - 1 - dof; };
-  const double* x = static_cast<const double*>(data_->factor->x);
-  for (int j = leading; j < n; ++j) {
-    if (data_->statistics.supernodal) {
-      const Data::Supernode node = data_->supernode(data_->columnSupernode[j], n);
-      const int inside = j - node.first;
-      const double* column = node.values + std::size_t(inside) * node.stride;
-      for (int r = inside; r < node.rows; ++r) {
-        const int row = r < node.columns ? node.first + r : node.below[r - node.columns];
-        upper(turned(row), turned(j)) = column[r];
-      }
-    } else {
-      const int begin = static_cast<const int*>(data_->factor->p)[j], count = static_cast<const int*>(data_->factor->nz)[j];
-      for (int k = begin; k < begin + count; ++k) upper(turned(static_cast<const int*>(data_->factor->i)[k]), turned(j)) = x[k];
-    }
-  }
-  int info = 0;
-  dlauum_("U", &nb, upper.data(), &nb, &info);
-  upper.triangularView<Eigen::StrictlyLower>() = upper.transpose();
-  Matrix schur = upper.reverse();
+  if (trailing() == 0) return Matrix();
+  Matrix schur = data_->triangle.trailingProduct(trailing());
   if (data_->shift.size() > 0) schur.diagonal() -= data_->shift;
   return schur;
+}
+
+std::unique_ptr<SingleFactor> CholmodFactor::inSinglePrecision() const {
+  return trailing() > 0 ? nullptr : data_->triangle.inSinglePrecision(data_->permutation);
 }
 
 Vector CholmodFactor::trailingDiagonal(const Eigen::SparseMatrix<double>& matrix, int trailing) { return matrix.diagonal().tail(trailing); }

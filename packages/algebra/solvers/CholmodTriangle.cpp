@@ -1,19 +1,19 @@
-// Substitutions with a CHOLMOD factor, also restricted to its first columns, which CHOLMOD does not offer.
 #include <cblas.h>
 #include <cholmod.h>
 #include <suture/algebra/Lanes.hpp>
 #include <suture/algebra/WorkSpace.hpp>
 #include <suture/algebra/elimination/SingleFactor.hpp>
-#include <suture/algebra/solvers/CholmodData.hpp>
-#include <suture/base/Errors.hpp>
+#include <suture/algebra/solvers/CholmodTriangle.hpp>
 
+#include <Eigen/Dense>
 #include <algorithm>
+
+// LAPACK: upper <- U U^T in place, with a third of the operations of a general product.
+extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 
 namespace suture {
 
 namespace {
-
-constexpr int columnsAtOnce = 32;  // right-hand sides that share one pass over L
 
 thread_local std::vector<double> keptUpdate;  // a supernode's part of x, in both substitutions
 
@@ -36,28 +36,54 @@ SUTURE_FOR_EACH_PROCESSOR void substituteBack(int columns, int rows, const doubl
 
 }  // namespace
 
-CholmodFactor::Data::Supernode CholmodFactor::Data::supernode(int s, int upTo) const {
-  const int* super = static_cast<const int*>(factor->super);
-  const int* pi = static_cast<const int*>(factor->pi);
-  const int* px = static_cast<const int*>(factor->px);
-  const int* rows = static_cast<const int*>(factor->s) + pi[s];
+CholmodTriangle::CholmodTriangle(const cholmod_factor_struct& factor) : factor_(&factor), isSupernodal_(factor.is_super != 0) {
+  if (!isSupernodal_) return;
+  columnSupernode_.resize(factor.n);
+  const int* super = static_cast<const int*>(factor.super);
+  for (std::size_t s = 0; s < factor.nsuper; ++s) {
+    std::fill(columnSupernode_.begin() + super[s], columnSupernode_.begin() + super[s + 1], int(s));
+    mostRows_ = std::max(mostRows_, supernode(int(s), size()).rows);
+  }
+}
+
+int CholmodTriangle::size() const { return static_cast<int>(factor_->n); }
+
+double CholmodTriangle::bytes() const {
+  if (isSupernodal_) return sizeof(double) * double(factor_->xsize) + sizeof(int) * double(factor_->ssize);
+  return (sizeof(double) + sizeof(int)) * double(factor_->nzmax);
+}
+
+double CholmodTriangle::pivot(int column) const {
+  const double* x = static_cast<const double*>(factor_->x);
+  if (!isSupernodal_) return x[static_cast<const int*>(factor_->p)[column]];
+  const Supernode s = supernode(columnSupernode_[column], size());
+  const int inside = column - s.first;
+  return s.values[std::size_t(inside) * s.stride + inside];
+}
+
+CholmodTriangle::Supernode CholmodTriangle::supernode(int s, int upTo) const {
+  const int* super = static_cast<const int*>(factor_->super);
+  const int* pi = static_cast<const int*>(factor_->pi);
+  const int* px = static_cast<const int*>(factor_->px);
+  const int* rows = static_cast<const int*>(factor_->s) + pi[s];
   const int allRows = pi[s + 1] - pi[s];
   Supernode node;
   node.first = super[s];
   node.columns = std::min(super[s + 1], upTo) - super[s];  // relaxed supernodes may straddle the limit
-  node.rows = upTo >= statistics.size ? allRows : int(std::lower_bound(rows, rows + allRows, upTo) - rows);
-  node.values = static_cast<const double*>(factor->x) + px[s];
+  node.rows = upTo >= size() ? allRows : int(std::lower_bound(rows, rows + allRows, upTo) - rows);
+  node.values = static_cast<const double*>(factor_->x) + px[s];
   node.stride = allRows;
   node.below = rows + node.columns;
   return node;
 }
 
-// x <- L^-1 x for the first `upTo` columns and rows of L. Row numbers ascend within a column, so the limit removes the end of each column.
-void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
-  if (!statistics.supernodal) {
-    const int *p = static_cast<const int*>(factor->p), *rows = static_cast<const int*>(factor->i),
-              *nz = static_cast<const int*>(factor->nz);
-    const double* l = static_cast<const double*>(factor->x);
+// x <- L^-1 x for the first columns and rows of L. Row numbers ascend within a column, so the limit removes the end of each column.
+void CholmodTriangle::forward(Eigen::Ref<Matrix> x) const {
+  const int upTo = static_cast<int>(x.rows());
+  if (!isSupernodal_) {
+    const int *p = static_cast<const int*>(factor_->p), *rows = static_cast<const int*>(factor_->i),
+              *nz = static_cast<const int*>(factor_->nz);
+    const double* l = static_cast<const double*>(factor_->x);
     for (int c = 0; c < x.cols(); ++c) {
       double* y = x.col(c).data();
       for (int j = 0; j < upTo; ++j) {
@@ -67,9 +93,9 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
     }
     return;
   }
-  WorkSpace space(mostRows, x.cols(), keptUpdate);
+  WorkSpace space(mostRows_, x.cols(), keptUpdate);
   Eigen::Map<Matrix>& update = space.values;
-  for (int s = 0; s < int(factor->nsuper); ++s) {
+  for (int s = 0; s < int(factor_->nsuper); ++s) {
     const Supernode node = supernode(s, upTo);
     if (node.columns <= 0) break;
     const int m = node.rows - node.columns;
@@ -95,12 +121,13 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
   }
 }
 
-// x <- L^-T x for the first `upTo` columns and rows of L.
-void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
-  if (!statistics.supernodal) {
-    const int *p = static_cast<const int*>(factor->p), *rows = static_cast<const int*>(factor->i),
-              *nz = static_cast<const int*>(factor->nz);
-    const double* l = static_cast<const double*>(factor->x);
+// x <- L^-T x for the first columns and rows of L.
+void CholmodTriangle::backward(Eigen::Ref<Matrix> x) const {
+  const int upTo = static_cast<int>(x.rows());
+  if (!isSupernodal_) {
+    const int *p = static_cast<const int*>(factor_->p), *rows = static_cast<const int*>(factor_->i),
+              *nz = static_cast<const int*>(factor_->nz);
+    const double* l = static_cast<const double*>(factor_->x);
     for (int c = 0; c < x.cols(); ++c) {
       double* y = x.col(c).data();
       for (int j = upTo - 1; j >= 0; --j) {
@@ -112,9 +139,9 @@ void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
     return;
   }
   if (upTo == 0) return;
-  WorkSpace space(mostRows, x.cols(), keptUpdate);
+  WorkSpace space(mostRows_, x.cols(), keptUpdate);
   Eigen::Map<Matrix>& update = space.values;
-  for (int s = columnSupernode[upTo - 1]; s >= 0; --s) {
+  for (int s = columnSupernode_[upTo - 1]; s >= 0; --s) {
     const Supernode node = supernode(s, upTo);
     const int m = node.rows - node.columns;
     const double* off = node.values + node.columns;
@@ -137,41 +164,53 @@ void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
   }
 }
 
-std::unique_ptr<SingleFactor> CholmodFactor::inSinglePrecision() const {
-  if (!data_->statistics.supernodal || trailing() > 0) return nullptr;
-  auto single = std::make_unique<SingleFactor>(data_->permutation);
-  const auto supernodes = data_->factor->nsuper;
+void CholmodTriangle::solve(Eigen::Ref<Matrix> x) const {
+  forward(x);
+  backward(x);
+}
+
+Matrix CholmodTriangle::trailingProduct(int trailing) const {
+  const int n = size();
+  // L rotated by 180 degrees is upper triangular, U, and U U^T is L L^T rotated.
+  Matrix upper = Matrix::Zero(trailing, trailing);
+  const auto turned = [&](int dof) { return n - 1 - dof; };
+  const double* x = static_cast<const double*>(factor_->x);
+  for (int j = n - trailing; j < n; ++j) {
+    if (isSupernodal_) {
+      const Supernode node = supernode(columnSupernode_[j], n);
+      const int inside = j - node.first;
+      const double* column = node.values + std::size_t(inside) * node.stride;
+      for (int r = inside; r < node.rows; ++r) {
+        const int row = r < node.columns ? node.first + r : node.below[r - node.columns];
+        upper(turned(row), turned(j)) = column[r];
+      }
+    } else {
+      const int begin = static_cast<const int*>(factor_->p)[j], count = static_cast<const int*>(factor_->nz)[j];
+      for (int k = begin; k < begin + count; ++k) upper(turned(static_cast<const int*>(factor_->i)[k]), turned(j)) = x[k];
+    }
+  }
+  int info = 0;
+  dlauum_("U", &trailing, upper.data(), &trailing, &info);
+  upper.triangularView<Eigen::StrictlyLower>() = upper.transpose();
+  return upper.reverse();
+}
+
+std::unique_ptr<SingleFactor> CholmodTriangle::inSinglePrecision(const std::vector<int>& permutation) const {
+  if (!isSupernodal_) return nullptr;
+  auto single = std::make_unique<SingleFactor>(permutation);
+  const auto supernodes = factor_->nsuper;
   std::size_t rows = 0, entries = 0;
   for (std::size_t s = 0; s < supernodes; ++s) {
-    const Data::Supernode node = data_->supernode(static_cast<int>(s), size());
+    const Supernode node = supernode(static_cast<int>(s), size());
     rows += node.rows - node.columns;
     entries += SingleFactor::entries(node.columns, node.rows - node.columns);
   }
   single->reserve(supernodes, rows, entries);
   for (std::size_t s = 0; s < supernodes; ++s) {
-    const Data::Supernode node = data_->supernode(static_cast<int>(s), size());
+    const Supernode node = supernode(static_cast<int>(s), size());
     single->append(node.first, node.columns, {node.below, node.below + node.rows - node.columns}, node.values, node.stride);
   }
   return single;
-}
-
-void CholmodFactor::Data::solve(int upTo, LocalView rhs) const {
-  if (rhs.rows() != upTo)
-    throw InternalError("CholmodFactor: right-hand side of " + std::to_string(rhs.rows()) + " rows for " + std::to_string(upTo) + " dofs");
-  if (upTo == 0) return;
-  thread_local std::vector<double> kept;
-  WorkSpace space(upTo, std::min<Eigen::Index>(rhs.cols(), columnsAtOnce), kept);
-  Eigen::Map<Matrix>& work = space.values;
-  for (Eigen::Index first = 0; first < rhs.cols(); first += columnsAtOnce) {
-    const Eigen::Index count = std::min<Eigen::Index>(columnsAtOnce, rhs.cols() - first);
-    auto x = work.leftCols(count);
-    for (Eigen::Index c = 0; c < count; ++c)
-      for (int j = 0; j < upTo; ++j) x(j, c) = rhs(permutation[j], first + c);
-    forward(upTo, x);
-    backward(upTo, x);
-    for (Eigen::Index c = 0; c < count; ++c)
-      for (int j = 0; j < upTo; ++j) rhs(permutation[j], first + c) = x(j, c);
-  }
 }
 
 }  // namespace suture
