@@ -14,7 +14,6 @@
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -101,7 +100,16 @@ PrimalChoice Bddc::choose() {
 
 void Bddc::factor(std::vector<PrimalRows> rows, int locals) {
   collectively(*space()->comm(), "factoring the local problems of BDDC", [&] { factorLocals(rows); });
-  assembleCoarse(std::move(rows), locals);
+  std::vector<int> ids(locals_.size(), -1);
+  for (std::size_t i = 0; i < locals_.size(); ++i)
+    if (locals_[i]) ids[i] = locals_[i]->id();
+  coarse_ = std::make_unique<BddcCoarse>(space()->comm(), space()->dimension(), ids, inverses(), std::move(rows), locals, levels_);
+}
+
+BddcCoarse::Inverses Bddc::inverses() const {
+  BddcCoarse::Inverses all;
+  for (const Constrained& present : present_) all.push_back(present.inverse.get());
+  return all;
 }
 
 /// Sets up in the broken space. False if the mortar rows leave a local problem or the bodies as a whole loose; then every unknown named by
@@ -127,7 +135,7 @@ bool Bddc::computeBroken(int locals, bool isBrokenHere) {
   } catch (const NumericalError&) {
     return false;
   }
-  if (!coarseIsRegular()) return false;
+  if (!coarse_->isRegular(inverses())) return false;
   averaging_ = std::make_unique<MortarAveraging>(*space(), *broken_, all);
   return true;
 }
@@ -156,9 +164,10 @@ double Bddc::bytesRead() const {
 std::string Bddc::remark() const {
   std::ostringstream text;
   text.precision(2);
-  if (exactInstead_) text << "closed pairs of more than two nodes: the coarse problem is solved exactly, without a further level";
+  const bool exactInstead = coarse_ && coarse_->isExactInstead();
+  if (exactInstead) text << "closed pairs of more than two nodes: the coarse problem is solved exactly, without a further level";
   if (!primal_->isAdaptive()) return text.str();
-  if (exactInstead_) text << "; ";
+  if (exactInstead) text << "; ";
   text << "adaptive coarse space: " << entityConstraints_ << " edge constraints ("
        << 100.0 * static_cast<double>(entityConstraints_) / static_cast<double>(sharedUnknowns_) << " % of " << sharedUnknowns_
        << " shared unknowns) and " << coarseSize() - entityConstraints_ << " corner unknowns";
@@ -243,7 +252,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
     } else {
       broken_->gather(*r.getVector(column), work.overlap);
     }
-    work.primal.setZero(static_cast<int>(names_.size()));
+    work.primal.setZero(coarse_->sizeHere());
     int begin = 0;
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
@@ -253,7 +262,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       coupling.restrictTo(work.overlap, flux);
       weighting_->applyTranspose(static_cast<int>(i), flux);
       present_[i].inverse->applyBasisTransposed(flux.col(0), work.own[i]);
-      for (const Value& value : valuesOf(i)) work.primal(value.place) += value.coefficient * work.own[i](value.row);
+      coarse_->addToPrimal(i, work.own[i], work.primal);
     }
     const Vector& y = coarse_->solve(work.primal);
     work.overlap.setZero();
@@ -263,7 +272,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       const Coupling& coupling = broken_->coupling(static_cast<int>(i));
       auto trace = work.trace.topRows(coupling.rows());
       work.values.setZero(work.own[i].size());
-      for (const Value& value : valuesOf(i)) work.values(value.row) += value.coefficient * y(value.place);
+      coarse_->addToValues(i, y, work.values);
       present_[i].inverse->applyWithBasis(work.flux.middleRows(begin, coupling.rows()), work.own[i], work.values, trace);
       begin += room(coupling.rows());
       weighting_->apply(static_cast<int>(i), trace);

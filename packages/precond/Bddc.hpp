@@ -2,7 +2,7 @@
 #include <suture/precond/MortarAveraging.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/precond/PrimalRows.hpp>
-#include <suture/precond/coarse/CoarseOptions.hpp>
+#include <suture/precond/coarse/BddcCoarse.hpp>
 
 #include <memory>
 #include <vector>
@@ -39,13 +39,10 @@ class Bddc : public Preconditioner {
  private:
   PrimalChoice choose();
   bool computeBroken(int locals, bool isBrokenHere);
-  bool coarseIsRegular() const;
   void factor(std::vector<PrimalRows> rows, int locals);
   std::unique_ptr<LocalInverse> inverseOf(const LocalProblem& local, const Matrix& rows) const;
   void factorLocals(std::vector<PrimalRows>& constraints);
-  void assembleCoarse(std::vector<PrimalRows> constraints, int locals);
-  bool numberPrimal(std::vector<PrimalRows> constraints, CoarseElements& coarse);
-  CoarseElement element(std::size_t i) const;
+  BddcCoarse::Inverses inverses() const;
   void countConstraints(const std::vector<Matrix>& rows);
 
   std::unique_ptr<Weighting> weighting_;
@@ -62,18 +59,7 @@ class Bddc : public Preconditioner {
   };
   std::vector<Constrained> present_;
   std::vector<Constrained> bases_;  // factored inverses; present_ holds these or updates of them
-  std::vector<int> names_;          // primal unknowns of this rank's local problems, as in CoarseSolve::solve
-  // A_i of all local problems, entry by entry; the entries of local problem i begin at valuesFrom_[i].
-  struct Value {
-    int row;    // constraint of the local problem
-    int place;  // position of the primal unknown in names_
-    double coefficient;
-  };
-  std::vector<Value> values_;
-  std::vector<std::size_t> valuesFrom_;
-  Span<const Value> valuesOf(std::size_t i) const { return {values_.data() + valuesFrom_[i], valuesFrom_[i + 1] - valuesFrom_[i]}; }
-  std::unique_ptr<CoarseSolve> coarse_;
-  bool exactInstead_ = false;  // no further level, because of rows with several terms
+  std::unique_ptr<BddcCoarse> coarse_;
   struct Work;
   mutable std::unique_ptr<Work> work_;                   // work space, so that an application does not allocate
   GlobalId entityConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks

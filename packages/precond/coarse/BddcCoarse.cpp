@@ -1,5 +1,5 @@
 #include <suture/interface/Directory.hpp>
-#include <suture/precond/Bddc.hpp>
+#include <suture/precond/coarse/BddcCoarse.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -15,27 +15,29 @@ namespace {
 constexpr double kRegular = 1e-6;
 }  // namespace
 
-void Bddc::assembleCoarse(std::vector<PrimalRows> constraints, int locals) {
+BddcCoarse::BddcCoarse(const CommPtr& comm, int dimension, const std::vector<int>& ids, const Inverses& inverses,
+                       std::vector<PrimalRows> constraints, int locals, CoarseOptions levels)
+    : comm_(comm) {
   CoarseElements coarse;
-  coarse.dimension = space()->dimension();
-  const int mine = numberPrimal(std::move(constraints), coarse);
+  coarse.dimension = dimension;
+  const int mine = number(ids, inverses, std::move(constraints), coarse);
   int any = 0;
-  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   // Rows of several terms name unknowns that other local problems determine. A cluster without those local problems has motions that its
   // constraints to other clusters hardly restrain: the condition number grows to 1e3 and beyond.
-  CoarseOptions levels = levels_;
   exactInstead_ = any && levels.goesOn(locals, coarse.dimension);
   if (exactInstead_) levels.above = locals;
-  coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels);
+  solver_ = makeCoarseSolve(comm_, std::move(coarse), locals, levels);
 }
 
 /// Numbers the primal unknowns over all ranks and makes the coarse elements. True if a local problem names more unknowns than it has rows.
 /// Frees the terms and unknowns of the constraints in passing; only A_i remains.
-bool Bddc::numberPrimal(std::vector<PrimalRows> constraints, CoarseElements& coarse) {
+bool BddcCoarse::number(const std::vector<int>& ids, const Inverses& inverses, std::vector<PrimalRows> constraints,
+                        CoarseElements& coarse) {
   std::vector<GlobalId> keys;
   std::size_t entries = 0, problems = 0;
-  for (std::size_t i = 0; i < locals_.size(); ++i)
-    if (locals_[i]) {
+  for (std::size_t i = 0; i < inverses.size(); ++i)
+    if (inverses[i]) {
       ++problems;
       for (const auto& row : constraints[i].terms) {
         entries += row.size();
@@ -43,7 +45,7 @@ bool Bddc::numberPrimal(std::vector<PrimalRows> constraints, CoarseElements& coa
       }
       for (const auto& unknown : constraints[i].unknowns) keys.push_back(unknown.id);
     }
-  const std::vector<int> numbers = numberKeys(space()->comm(), keys, coarse.size);
+  const std::vector<int> numbers = numberKeys(comm_, keys, coarse.size);
   names_ = numbers;
   std::sort(names_.begin(), names_.end());
   names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
@@ -52,25 +54,26 @@ bool Bddc::numberPrimal(std::vector<PrimalRows> constraints, CoarseElements& coa
   values_.clear();
   values_.reserve(entries);
   valuesFrom_.assign(1, 0);
-  valuesFrom_.reserve(locals_.size() + 1);
+  valuesFrom_.reserve(inverses.size() + 1);
   coarse.elements.reserve(problems);
   std::vector<char> known(names_.size(), 0);
   std::size_t next = 0;
   bool named = false;
-  for (std::size_t i = 0; i < locals_.size(); ++i) {
-    if (locals_[i])
+  for (std::size_t i = 0; i < inverses.size(); ++i) {
+    if (inverses[i])
       for (std::size_t row = 0; row < constraints[i].terms.size(); ++row)
         for (const auto& term : constraints[i].terms[row]) values_.push_back({static_cast<int>(row), places[next++], term.coefficient});
     valuesFrom_.push_back(values_.size());
-    if (!locals_[i]) continue;
+    if (!inverses[i]) continue;
     for (InterfaceLayout::Unknown unknown : constraints[i].unknowns) {
       const int place = places[next];
       unknown.id = numbers[next++];
       if (!known[place]) coarse.unknowns.push_back(unknown);
       known[place] = 1;
     }
-    coarse.elements.push_back(element(i));
-    named = named || static_cast<int>(coarse.elements.back().unknowns.size()) > present_[i].rows->rows();
+    coarse.elements.push_back(element(i, inverses[i]->energy()));
+    coarse.elements.back().id = ids[i];
+    named = named || static_cast<int>(coarse.elements.back().unknowns.size()) > inverses[i]->energy().rows();
     constraints[i] = PrimalRows();
   }
   std::sort(coarse.unknowns.begin(), coarse.unknowns.end(),
@@ -80,9 +83,8 @@ bool Bddc::numberPrimal(std::vector<PrimalRows> constraints, CoarseElements& coa
 }
 
 /// A_i^T Phi_i^T S_i Phi_i A_i
-CoarseElement Bddc::element(std::size_t i) const {
+CoarseElement BddcCoarse::element(std::size_t i, const Matrix& energy) const {
   CoarseElement made;
-  made.id = locals_[i]->id();
   std::vector<int> places;
   for (const Value& value : valuesOf(i)) places.push_back(value.place);
   std::sort(places.begin(), places.end());
@@ -90,7 +92,6 @@ CoarseElement Bddc::element(std::size_t i) const {
   made.unknowns.reserve(places.size());
   for (const int place : places) made.unknowns.push_back(names_[place]);
   // Most rows have one unknown: sparse product, column by column.
-  const Matrix& energy = present_[i].inverse->energy();
   const auto size = static_cast<Eigen::Index>(places.size());
   const auto times = [&](const Matrix& columns) {
     Matrix product = Matrix::Zero(columns.rows(), size);
@@ -104,23 +105,21 @@ CoarseElement Bddc::element(std::size_t i) const {
   return made;
 }
 
-/// True if solving the coarse problem reproduces a given vector. This fails if the factorisation accepted a pivot that is only round-off. A
-/// coarse problem with several levels reports this itself.
-bool Bddc::coarseIsRegular() const {
-  if (coarse_->clusters() > 0 || coarse_->size() == 0) return true;
+bool BddcCoarse::isRegular(const Inverses& inverses) const {
+  if (solver_->clusters() > 0 || solver_->size() == 0) return true;
   Vector given(static_cast<int>(names_.size())), image = Vector::Zero(given.size()), diagonal = image;
   for (int k = 0; k < given.size(); ++k) given(k) = 1.0 + 0.5 * std::sin(1.0 + 7.0 * names_[k]);
-  for (std::size_t i = 0; i < locals_.size(); ++i) {
-    if (!locals_[i]) continue;
-    const CoarseElement own = element(i);
+  for (std::size_t i = 0; i < inverses.size(); ++i) {
+    if (!inverses[i]) continue;
+    const CoarseElement own = element(i, inverses[i]->energy());
     const std::vector<int> places = placesAmong(names_, own.unknowns);
     image(places) += own.matrix * given(places);
     diagonal(places) += own.matrix.diagonal();
   }
-  const Vector error = coarse_->solve(image) - given;
+  const Vector error = solver_->solve(image) - given;
   const double mine[2] = {diagonal.dot(error.cwiseAbs2()), diagonal.dot(given.cwiseAbs2())};
   double all[2];
-  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 2, mine, all);
   return all[0] < kRegular * kRegular * all[1];
 }
 
