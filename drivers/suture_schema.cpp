@@ -1,6 +1,7 @@
 // Prints every parameter of a scene (or a study) with default, range and meaning, from the schema that the reader uses.
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <suture/base/scene/SchemaDocument.hpp>
 #include <suture/report/SceneSchema.hpp>
 
 #include "study/Schema.hpp"
@@ -11,28 +12,28 @@
 namespace {
 
 /// The scene printed by --format xml: two blocks, one pressed onto the other.
-const suture::Schema::Example scene = {{"Title", "Two blocks"},
-                                       {"Mesh/Generator", "Boxes"},
-                                       {"Mesh/Boxes/lower/X", "{0, 2}"},
-                                       {"Mesh/Boxes/lower/Y", "{0, 1}"},
-                                       {"Mesh/Boxes/lower/Cells", "{16, 8}"},
-                                       {"Mesh/Boxes/upper/X", "{0, 2}"},
-                                       {"Mesh/Boxes/upper/Y", "{1, 2}"},
-                                       {"Mesh/Boxes/upper/Cells", "{16, 8}"},
-                                       {"Bodies/lower/Material", "steel"},
-                                       {"Bodies/upper/Material", "steel"},
-                                       {"Materials/steel/Young Modulus", "2.1e11"},
-                                       {"Materials/steel/Poisson Ratio", "0.3"},
-                                       {"Boundary Conditions/ground/Group", "{lower_bottom}"},
-                                       {"Boundary Conditions/ground/Type", "Displacement"},
-                                       {"Boundary Conditions/ground/Value", "{0, 0}"},
-                                       {"Boundary Conditions/guide/Group", "{upper_left}"},
-                                       {"Boundary Conditions/guide/Type", "Bilateral"},
-                                       {"Boundary Conditions/load/Group", "{upper_top}"},
-                                       {"Boundary Conditions/load/Type", "Pressure"},
-                                       {"Boundary Conditions/load/Value", "{1e6}"},
-                                       {"Contact/joint/Side A", "{lower_top}"},
-                                       {"Contact/joint/Side B", "{upper_bottom}"}};
+const suture::SceneExample scene = {{"Title", "Two blocks"},
+                                    {"Mesh/Generator", "Boxes"},
+                                    {"Mesh/Boxes/lower/X", "{0, 2}"},
+                                    {"Mesh/Boxes/lower/Y", "{0, 1}"},
+                                    {"Mesh/Boxes/lower/Cells", "{16, 8}"},
+                                    {"Mesh/Boxes/upper/X", "{0, 2}"},
+                                    {"Mesh/Boxes/upper/Y", "{1, 2}"},
+                                    {"Mesh/Boxes/upper/Cells", "{16, 8}"},
+                                    {"Bodies/lower/Material", "steel"},
+                                    {"Bodies/upper/Material", "steel"},
+                                    {"Materials/steel/Young Modulus", "2.1e11"},
+                                    {"Materials/steel/Poisson Ratio", "0.3"},
+                                    {"Boundary Conditions/ground/Group", "{lower_bottom}"},
+                                    {"Boundary Conditions/ground/Type", "Displacement"},
+                                    {"Boundary Conditions/ground/Value", "{0, 0}"},
+                                    {"Boundary Conditions/guide/Group", "{upper_left}"},
+                                    {"Boundary Conditions/guide/Type", "Bilateral"},
+                                    {"Boundary Conditions/load/Group", "{upper_top}"},
+                                    {"Boundary Conditions/load/Type", "Pressure"},
+                                    {"Boundary Conditions/load/Value", "{1e6}"},
+                                    {"Contact/joint/Side A", "{lower_top}"},
+                                    {"Contact/joint/Side B", "{upper_bottom}"}};
 
 }  // namespace
 
@@ -52,7 +53,8 @@ int main(int argc, char* argv[]) {
     return *end;
   try {
     suture::loadPlugins(plugins);
-    return suture::printed(name, study ? suture::study::studySchema().document(format) : suture::sceneSchema().document(format, scene));
+    return suture::printed(
+        name, study ? suture::documentOf(suture::study::studySchema(), format) : suture::documentOf(suture::sceneSchema(), format, scene));
   } catch (const std::exception& error) {
     const suture::Explanation end = suture::explain(name, "", error);
     std::cerr << end.message;

@@ -1,6 +1,7 @@
 #include <support/Texts.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/base/scene/SchemaDocument.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -54,13 +55,13 @@ TEUCHOS_UNIT_TEST(Schema, ParametersOfAChoiceMayBeNextToIt) {
   TEST_EQUALITY(errorOf(""), "Modulus: is missing and has no default: stiffness (expected a number)");
   TEST_EQUALITY(errorOf(rich), "");            // not required by another choice
   TEST_EQUALITY(errorOf(rich + modulus), "");  // nor refused, like lists of other choices
-  TEST_ASSERT(laws.document("text").find("Modulus  (double, required with Type Plain) stiffness") != std::string::npos);
+  TEST_ASSERT(documentOf(laws, "text").find("Modulus  (double, required with Type Plain) stiffness") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(Schema, RefusesADefaultThatIsNotAllowed) { TEST_THROW(Schema().oneOf("A", "z", {"x", "y"}, ""), InternalError); }
 
 TEUCHOS_UNIT_TEST(Schema, DocumentsInTextDefaultUnitRangeNamesAndMeaning) {
-  const std::string text = solver().document("text");
+  const std::string text = documentOf(solver(), "text");
   TEST_ASSERT(contains(text, "Tolerance  (double, default 1e-08, > 0) where to stop"));
   TEST_ASSERT(contains(text, "length/time^2"));
   TEST_ASSERT(contains(text, "None | Automatic | number > 0"));
@@ -70,7 +71,7 @@ TEUCHOS_UNIT_TEST(Schema, DocumentsInTextDefaultUnitRangeNamesAndMeaning) {
 }
 
 TEUCHOS_UNIT_TEST(Schema, DocumentsInMarkdownWithBarsEscaped) {
-  const std::string text = solver().document("markdown");
+  const std::string text = documentOf(solver(), "markdown");
   TEST_ASSERT(contains(text, "| Tolerance | double | 1e-08 | > 0 |"));
   TEST_ASSERT(contains(text, "Chord \\| Newton"));
   TEST_ASSERT(contains(text, "## Newton"));
@@ -83,7 +84,7 @@ TEUCHOS_UNIT_TEST(Schema, DocumentInXmlIsASceneThatReadsBackAsTheDefaults) {
           .list("Bodies", Schema("all").each("body", Schema("one").text("Material", std::nullopt, "its -- name").optional()))
           .list("Constants", Schema("of Gmsh").eachReal("name", "any"));
   const SceneFile defaults = parseScene("<ParameterList name=\"Suture\"/>", "empty", schema);
-  const SceneFile documented = parseScene(schema.document("xml"), "documented", schema);
+  const SceneFile documented = parseScene(documentOf(schema, "xml"), "documented", schema);
   TEST_EQUALITY(toXml(*documented.parameters), toXml(*defaults.parameters));
   TEST_EQUALITY(documented.parameters->sublist("Outer Solver").get<std::string>("Name <of> \"it\""), "a & b");
 }
@@ -93,8 +94,8 @@ TEUCHOS_UNIT_TEST(Schema, DocumentInXmlHasTheExamplesListsAndValues) {
       Schema("scene")
           .list("Outer Solver", solver())
           .list("Bodies", Schema("all").each("body", Schema("one").text("Material", std::nullopt, "its name").real("Size", 1.0, "of it")));
-  const std::string text =
-      schema.document("xml", {{"Outer Solver/Tolerance", "1e-3"}, {"Bodies/upper/Material", "steel"}, {"Bodies/lower/Material", "rock"}});
+  const std::string text = documentOf(
+      schema, "xml", {{"Outer Solver/Tolerance", "1e-3"}, {"Bodies/upper/Material", "steel"}, {"Bodies/lower/Material", "rock"}});
   const SceneFile documented = parseScene(text, "documented", schema);
   TEST_EQUALITY(documented.parameters->sublist("Outer Solver").get<double>("Tolerance"), 1e-3);
   const Parameters& bodies = documented.parameters->sublist("Bodies");
@@ -105,9 +106,9 @@ TEUCHOS_UNIT_TEST(Schema, DocumentInXmlHasTheExamplesListsAndValues) {
 }
 
 TEUCHOS_UNIT_TEST(Schema, RefusesAnUnknownFormatWithTheKnownOnes) {
-  TEST_THROW(solver().document("html"), CommandLineError);
+  TEST_THROW(documentOf(solver(), "html"), CommandLineError);
   try {
-    solver().document("markdwn");
+    documentOf(solver(), "markdwn");
   } catch (const CommandLineError& error) {
     TEST_ASSERT(contains(error.what(), "Did you mean 'markdown'?"));
   }

@@ -111,12 +111,6 @@ class Schema {
   const Parameter* find(const std::string& name) const;
   const Schema* findList(const std::string& name) const;
 
-  /// Values of a scene, as in XML, by path: "Bodies/block/Material" -> "steel".
-  using Example = std::map<std::string, std::string>;
-  /// The whole schema, documented. `format`: "text", "xml" (a scene with all defaults, except where the example gives values), "markdown".
-  /// \throws CommandLineError  for another format.
-  std::string document(const std::string& format, const Example& example = {}) const;
-
  private:
   Parameter& add(const std::string& name, Kind kind, const std::string& doc);
   void claim(const std::string& name) const;

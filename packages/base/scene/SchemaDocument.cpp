@@ -1,7 +1,10 @@
 // The schema as text (console), markdown (documentation) and xml (template of a scene).
+#include "SchemaDocument.hpp"
+
 #include <algorithm>
+#include <vector>
+
 #include <suture/base/Errors.hpp>
-#include "Schema.hpp"
 #include "Xml.hpp"
 
 namespace suture {
@@ -103,7 +106,7 @@ std::string commentable(std::string text) {
 /// a comment, which contains no other comment.
 class XmlScene {
  public:
-  explicit XmlScene(const Schema::Example& example) : example_(example) {}
+  explicit XmlScene(const SceneExample& example) : example_(example) {}
 
   std::string write(const Schema& schema) {
     out_ = "<ParameterList name=\"Suture\">\n";
@@ -181,22 +184,22 @@ class XmlScene {
     }
   }
 
-  const Schema::Example& example_;
+  const SceneExample& example_;
   std::string out_;
   bool inComment_ = false;
 };
 
 }  // namespace
 
-std::string Schema::document(const std::string& format, const Example& example) const {
+std::string documentOf(const Schema& schema, const std::string& format, const SceneExample& example) {
   std::string out;
   if (format == "text") {
-    out = doc_ + "\n";
-    appendText(out, *this, 1);
+    out = schema.doc() + "\n";
+    appendText(out, schema, 1);
   } else if (format == "markdown") {
-    appendMarkdown(out, *this, "");
+    appendMarkdown(out, schema, "");
   } else if (format == "xml") {
-    out = XmlScene(example).write(*this);
+    out = XmlScene(example).write(schema);
   } else {
     throw CommandLineError(unknownName("format", format, {"text", "xml", "markdown"}));
   }
