@@ -90,7 +90,7 @@ ExitCode run(const CommPtr& comm, const Options& options) {
     checkSolvability(*comm, mesh, constraints, scene.model, partition);
     const Whole whole = wholeOf(*comm, mesh, constraints, partition);
     collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });
-    writeHdf5Mesh(*comm, mesh, options.output, [&](Hdf5File& to) { addCut(to, mesh, constraints, partition, whole, scene); });
+    writeHdf5Mesh(*comm, mesh, options.output, [&](Hdf5Writer& to) { addCut(to, mesh, constraints, partition, whole, scene); });
   } else {
     writeHdf5Mesh(*comm, mesh, options.output);
   }

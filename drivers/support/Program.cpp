@@ -19,7 +19,7 @@
 #include <optional>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Memory.hpp>
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Library.hpp>
 #include <suture/report/Console.hpp>
 #include <suture/report/Format.hpp>
 #include <thread>
@@ -208,7 +208,7 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   keepFreedMemory();
   setenv("HWLOC_HIDE_ERRORS", "2", 0);  // MPI uses hwloc, which prints errors on machines without /sys
   StoppableOutput output;
-  Hdf5File::withoutExitHandler();
+  hdf5::withoutExitHandler();
   // An empty command line, since Kokkos would look for its own options.
   int argc = 1;
   std::string program = name;

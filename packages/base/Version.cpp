@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Libraries.hpp>
 
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Library.hpp>
 #include "Expression.hpp"
 
 namespace suture {
@@ -43,7 +43,7 @@ std::string commit() { return SUTURE_COMMIT; }
 std::map<std::string, std::string> libraryVersions() {
   return {{"Trilinos", SUTURE_TRILINOS_VERSION},
           {"MPI", mpiVersion()},
-          {"HDF5", Hdf5File::libraryVersion()},
+          {"HDF5", hdf5::libraryVersion()},
           {"CHOLMOD", SUTURE_CHOLMOD_VERSION},
           {"METIS", SUTURE_METIS_VERSION},
           {"Gmsh", SUTURE_GMSH_VERSION},

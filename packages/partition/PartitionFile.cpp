@@ -1,5 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/hdf5/Hdf5Reader.hpp>
 #include <suture/partition/Cutter.hpp>
 #include <suture/partition/PartitionFile.hpp>
 #include <suture/partition/SubdomainBytes.hpp>
@@ -55,7 +56,7 @@ Schema partitionedMeshSchema() {
   return Schema("The subdomains that suture_partition has written to Mesh/File for this scene; each rank reads its own.");
 }
 
-void addPartition(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MadeFor& madeFor,
+void addPartition(Hdf5Writer& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MadeFor& madeFor,
                   const std::string& remarks) {
   file.group(kGroup);
   file.attribute(kGroup, "Version", version());
@@ -85,7 +86,7 @@ PartitionedMesh readPartitionedMesh(const Comm& comm, const std::string& path, c
   PartitionedMesh result;
   std::vector<GlobalId> ends, checksums;
   {
-    const Hdf5File file = Hdf5File::open(comm, path);
+    const Hdf5Reader file(comm, path);
     if (!file.has(kGroup))
       throw InputError("Mesh/File", path + ": the mesh is not partitioned; run suture_partition, or choose another Partition/Type");
     if (const std::string found = file.readTextAttribute(kGroup, "Version"); found != version())
@@ -112,7 +113,7 @@ PartitionedMesh readPartitionedMesh(const Comm& comm, const std::string& path, c
   placeOnRanks(result.partition, keepGroupsWhole, comm.getSize());
   const auto alone = comm.split(comm.getRank(), 0);
   collectively(comm, "reading the subdomains in " + path, [&] {
-    const Hdf5File file = Hdf5File::open(*alone, path);
+    const Hdf5Reader file(*alone, path);
     for (std::size_t s = 0; s < ends.size(); ++s) {
       if (result.partition.rankOf[s] != comm.getRank()) continue;
       const GlobalId begin = s > 0 ? ends[s - 1] : 0;

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 #include <suture/base/scene/Schema.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
@@ -25,7 +25,7 @@ struct PartitionedMesh {
 
 /// Adds the group /Partition to a mesh file being written by one rank: the common data (attribute Version, dataset Head), and the
 /// subdomains one after the other (Subdomains; Ends, Checksums), which lets each rank find its own. Local.
-void addPartition(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MadeFor& madeFor,
+void addPartition(Hdf5Writer& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MadeFor& madeFor,
                   const std::string& remarks);
 
 /// Reads a partitioned mesh on any number of ranks, independent of the number that wrote it. Each rank reads its own subdomains.

@@ -1,6 +1,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Reader.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
 #include <suture/reader/Hdf5Mesh.hpp>
@@ -28,8 +29,8 @@ std::string memberPath(const std::string& group, std::size_t number) {
   return group + text;
 }
 
-void writeFile(const Comm& alone, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more) {
-  Hdf5File file = Hdf5File::create(alone, path);
+void writeFile(const Comm& alone, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5Writer&)>& more) {
+  Hdf5Writer file(alone, path);
   file.addChecksums();
   file.attribute("/", versionName, std::string(versionNumber));
   std::vector<int> cells;
@@ -63,7 +64,7 @@ void writeFile(const Comm& alone, const Mesh& mesh, const std::string& path, con
 /// Reads one file and collects all errors in `problems`.
 class Reader {
  public:
-  Reader(const Comm& alone, const std::string& path) : path_(path), file_(Hdf5File::open(alone, path)) {}
+  Reader(const Comm& alone, const std::string& path) : path_(path), file_(alone, path) {}
 
   Mesh read() {
     checkVersion();
@@ -208,14 +209,14 @@ class Reader {
   }
 
   std::string path_;
-  Hdf5File file_;
+  Hdf5Reader file_;
   Mesh mesh_;
   Problems problems_;
 };
 
 }  // namespace
 
-void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more) {
+void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5Writer&)>& more) {
   const auto alone = rootAlone(comm);
   collectivelyOnRoot(comm, "writing the mesh " + path, [&] { writeFile(*alone, mesh, path, more); });
 }

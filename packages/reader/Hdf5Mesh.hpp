@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 #include <suture/mesh/Mesh.hpp>
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace suture {
 /// Reading the file returns every bit of the mesh. Collective.
 /// \param more  adds further content to the file; runs on rank 0
 /// \throws EnvironmentError  if the file cannot be written
-void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more = {});
+void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5Writer&)>& more = {});
 
 /// Reads the mesh in such a file, on rank 0. Collective.
 /// \throws InputError  no such file, not HDF5, not a Suture mesh, a later version, inconsistent sizes, numbers out of range, a coordinate

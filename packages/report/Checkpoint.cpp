@@ -1,6 +1,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Reader.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 #include <suture/report/Checkpoint.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -28,7 +29,7 @@ void forEachNumber(Row& row, const Each& each) {
   each(row.work.normal), each(row.work.tangential), each(row.work.dissipated), each(row.work.size), each(row.seconds);
 }
 
-void writePath(Hdf5File& file, const Comm& comm, const PathState& steps) {
+void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
   std::vector<double> rows, pairs;
   std::vector<double> forces;
   if (comm.getRank() == 0)
@@ -52,7 +53,7 @@ void writePath(Hdf5File& file, const Comm& comm, const PathState& steps) {
 }
 
 /// \param ids  of the pairs, in file order
-PathState readPath(const Hdf5File& file, const std::string& path, const std::vector<int>& ids) {
+PathState readPath(const Hdf5Reader& file, const std::string& path, const std::vector<int>& ids) {
   PathState steps;
   if (!file.has(at("Steps"))) return steps;
   const std::vector<double> rows = file.readReals(at("Steps")), next = file.readReals(at("NextStep")),
@@ -108,7 +109,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
     if (pair.state != ContactState(pair.state.status)) slides = 1;
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, slides, Teuchos::outArg(anySlides));
-  Hdf5File file = Hdf5File::create(comm, path);
+  Hdf5Writer file(comm, path);
   file.addChecksums();
   file.group(kGroup);
   file.attribute(kGroup, "MeshHash", broadcast(comm, meshHash));
@@ -127,7 +128,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
 
 Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                      PathState* steps) {
-  const Hdf5File file = Hdf5File::open(comm, path);
+  const Hdf5Reader file(comm, path);
   if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: missing group " + std::string(kGroup));
   const std::string expected = broadcast(comm, meshHash), found = file.readTextAttribute(kGroup, "MeshHash");
   if (found != expected) throw InputError(path, "a checkpoint of another mesh (hash " + found + ", this mesh has " + expected + ")");

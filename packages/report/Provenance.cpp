@@ -54,7 +54,7 @@ std::vector<double> endPoints(const std::vector<SubdomainMesh>& subdomains, cons
 
 }  // namespace
 
-void writeProvenance(const Run& run, Hdf5File& file) {
+void writeProvenance(const Run& run, Hdf5Writer& file) {
   const nlohmann::json libraries = libraryVersions();
   file.group("/Record");
   file.attribute("/Record", "ranks", std::vector<GlobalId>{run.comm.getSize()});
@@ -78,7 +78,7 @@ std::vector<std::string> materialNames(const ElasticModel& model) {
 }
 
 void writeNames(const Run& run, VtkHdf& vtk) {
-  Hdf5File& file = vtk.file();
+  Hdf5Writer& file = vtk.file();
   // Each rank only knows its own subdomains, and therefore only some of the side groups.
   Packer mine;
   std::map<int, std::string> ownNames;

@@ -7,7 +7,7 @@ namespace suture {
 /// /Record: the origin of a file. Texts Input (the scene verbatim), InputPath, Resolved (XML), MeshHash, Version, Commit, Libraries
 /// (JSON: library -> version), CommandLine; attributes `ranks` and `seed` of the group. Equal runs write equal records.
 /// Collective.
-void writeProvenance(const Run& run, Hdf5File& file);
+void writeProvenance(const Run& run, Hdf5Writer& file);
 
 /// Names of the materials of bodies and regions, without duplicates; the field Material contains indices into this list. Local.
 std::vector<std::string> materialNames(const ElasticModel& model);

@@ -2,8 +2,7 @@
 
 namespace suture {
 
-VtkHdf::VtkHdf(const Comm& comm, const std::string& path, const GridSize& mine)
-    : comm_(comm), file_(Hdf5File::create(comm, path)), mine_(mine) {
+VtkHdf::VtkHdf(const Comm& comm, const std::string& path, const GridSize& mine) : comm_(comm), file_(comm, path), mine_(mine) {
   file_.group("/VTKHDF");
   file_.attribute("/VTKHDF", "Version", std::vector<GlobalId>{1, 0});
   file_.fixedAttribute("/VTKHDF", "Type", "UnstructuredGrid");

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/Collective.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 
 #include <memory>
 #include <string>
@@ -32,7 +32,7 @@ struct FieldInfo {
 
 /// A file of the format VTKHDF 1.0 with one unstructured grid, one partition per rank; readable by VTK 9.1 and ParaView 5.11. Ranks
 /// without points have no partition. Points and cells of a field are in the order of the grid.
-/// Source: "VTK File Formats", docs.vtk.org. All functions except append() are collective; errors as in Hdf5File.
+/// Source: "VTK File Formats", docs.vtk.org. All functions except append() are collective; errors as in Hdf5Writer.
 class VtkHdf {
  public:
   VtkHdf(const Comm& comm, const std::string& path, const GridSize& mine);
@@ -62,7 +62,7 @@ class VtkHdf {
   }
 
   /// The file, for content in addition to the grid (/Record).
-  Hdf5File& file() { return file_; }
+  Hdf5Writer& file() { return file_; }
   void close();
 
  private:
@@ -83,7 +83,7 @@ class VtkHdf {
   };
 
   const Comm& comm_;
-  Hdf5File file_;
+  Hdf5Writer file_;
   GridSize mine_;
   std::unique_ptr<Grid> grid_;
   GlobalId corners_ = 0;  ///< corners of all pieces so far

@@ -5,7 +5,7 @@
 #include <Tpetra_Core.hpp>
 #include <cstdlib>
 #include <suture/base/Version.hpp>
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Library.hpp>
 
 #include "../../drivers/support/MpiStart.hpp"
 #include "Together.hpp"
@@ -30,7 +30,7 @@ namespace {
 void begin() {
   if (omp_set_num_threads && !std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
   if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
-  Hdf5File::withoutExitHandler();
+  hdf5::withoutExitHandler();
   int argc = 1;
   char name[] = "python", *arguments[] = {name, nullptr}, **argv = arguments;
   Tpetra::initialize(&argc, &argv);

@@ -16,18 +16,18 @@ namespace {
 using namespace hdf5testing;
 
 TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesAPlaceThatCannotBeWritten) {
-  TEST_THROW(Hdf5File::create(*world(), "no/such/folder/file.h5"), EnvironmentError);
-  TEST_THROW(Hdf5File::create(*world(), "."), EnvironmentError);
-  TEST_THROW(Hdf5File::create(*world(), "/dev/null/file.h5"), EnvironmentError);
+  TEST_THROW(Hdf5Writer(*world(), "no/such/folder/file.h5"), EnvironmentError);
+  TEST_THROW(Hdf5Writer(*world(), "."), EnvironmentError);
+  TEST_THROW(Hdf5Writer(*world(), "/dev/null/file.h5"), EnvironmentError);
 }
 
 TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesIncompleteHdf5Files) {
   const CommPtr comm = world();
-  TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, "missing.h5"); }), "missing.h5: cannot be read: No such file or directory");
-  TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, "."); }), ".: is a folder; expected an HDF5 file");
+  TEST_EQUALITY(inputErrorOf([&] { Hdf5Reader(*comm, "missing.h5"); }), "missing.h5: cannot be read: No such file or directory");
+  TEST_EQUALITY(inputErrorOf([&] { Hdf5Reader(*comm, "."); }), ".: is a folder; expected an HDF5 file");
 
   const std::string foreign = nameOf("foreign"), cut = nameOf("cut");
-  Hdf5File file = Hdf5File::create(*comm, cut);
+  Hdf5Writer file(*comm, cut);
   file.write("/A", std::vector<double>(1000, 1.0));
   file.close();
   if (comm->getRank() == 0) {
@@ -35,8 +35,8 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesIncompleteHdf5Files) {
     std::filesystem::resize_file(cut, 4000);
   }
   comm->barrier();
-  TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, foreign); }), foreign + ": is not an HDF5 file");
-  TEST_ASSERT(contains(inputErrorOf([&] { Hdf5File::open(*comm, cut); }), cut + ": is damaged or truncated"));
+  TEST_EQUALITY(inputErrorOf([&] { Hdf5Reader(*comm, foreign); }), foreign + ": is not an HDF5 file");
+  TEST_ASSERT(contains(inputErrorOf([&] { Hdf5Reader(*comm, cut); }), cut + ": is damaged or truncated"));
   removeOnRoot(foreign);
   removeOnRoot(cut);
 }
@@ -53,11 +53,11 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesTextsOfADamagedHeap) {
                                                             {24, std::string("\0\1\0\0\0\1\0\0", 8)}};
   for (const auto& [at, bytes] : damages) {
     {
-      Hdf5File file = Hdf5File::create(*comm, path);
+      Hdf5Writer file(*comm, path);
       file.write("/Text", std::string("seven of nine"));
       file.close();
     }
-    TEST_EQUALITY(Hdf5File::open(*comm, path).readText("/Text"), "seven of nine");
+    TEST_EQUALITY(Hdf5Reader(*comm, path).readText("/Text"), "seven of nine");
     comm->barrier();
     if (comm->getRank() == 0) {
       std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -68,7 +68,7 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesTextsOfADamagedHeap) {
       file << bytes;
     }
     comm->barrier();
-    TEST_ASSERT(contains(inputErrorOf([&] { Hdf5File::open(*comm, path).readText("/Text"); }), "the heap of texts at byte "));
+    TEST_ASSERT(contains(inputErrorOf([&] { Hdf5Reader(*comm, path).readText("/Text"); }), "the heap of texts at byte "));
     removeOnRoot(path);
   }
 }
@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, ReportsAFullDiskWhilePiecesAreWritten) {
   const rlimit small{200000, before.rlim_max};
   const auto signalBefore = std::signal(SIGXFSZ, SIG_IGN);
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     Hdf5Rows<double> a = file.rows<double>("/A", 100000), b = file.rows<double>("/B", 100000);
     setrlimit(RLIMIT_FSIZE, &small);
     const auto writePieces = [&] {
@@ -101,11 +101,11 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, ReportsAFullDiskWhilePiecesAreWritten) {
   TEST_ASSERT(!std::ifstream(path).good());
   TEST_ASSERT(!std::ifstream(path + ".part").good());
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.write("/A", std::vector<int>{1});
     file.close();
   }
-  TEST_EQUALITY(Hdf5File::open(*comm, path).readInts("/A")[0], 1);
+  TEST_EQUALITY(Hdf5Reader(*comm, path).readInts("/A")[0], 1);
   removeOnRoot(path);
 }
 
@@ -115,14 +115,14 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, BlamesDamagedNumbersOnTheFile) {
   const std::string path = nameOf("sum");
   const std::vector<double> values{1.5, -2.25, 1e300, 3.0};
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.addChecksums();
     file.write("/Reals", values);
     file.write("/Ints", std::vector<int>{7, -comm->getRank()});
     file.close();
   }
   {
-    const Hdf5File file = Hdf5File::open(*comm, path);
+    const Hdf5Reader file(*comm, path);
     TEST_EQUALITY(file.readReals("/Reals").size(), values.size() * std::size_t(comm->getSize()));
     TEST_EQUALITY(file.readInts("/Ints")[0], 7);
     TEST_EQUALITY(file.readGlobalIds("/Ints")[0], 7);  // integers of another width, with the same sum
@@ -137,7 +137,7 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, BlamesDamagedNumbersOnTheFile) {
     file.put('\x01');
   }
   comm->barrier();
-  const Hdf5File file = Hdf5File::open(*comm, path);
+  const Hdf5Reader file(*comm, path);
   TEST_ASSERT(contains(inputErrorOf([&] { file.readReals("/Reals"); }), path + ": cannot read '/Reals': it is damaged"));
   TEST_EQUALITY(file.readInts("/Ints")[0], 7);
   removeOnRoot(path);
@@ -145,15 +145,19 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, BlamesDamagedNumbersOnTheFile) {
 
 TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesMisuseOnAllRanks) {
   const CommPtr comm = world();
-  Hdf5File file = Hdf5File::create(*comm, nameOf("misuse"));
+  Hdf5Writer file(*comm, nameOf("misuse"));
   file.write("/A", std::vector<int>{1});
   TEST_THROW(file.write("/A", std::vector<int>{1}), InternalError);
   TEST_THROW(file.write("/A/B", std::vector<int>{1}), InternalError);
   TEST_THROW(file.write("B", std::vector<int>{1}), InternalError);
   TEST_THROW(file.attribute("/C", "Unit", 1.0), InternalError);
-  TEST_THROW(file.readInts("/A"), InternalError);
   // If the rows of one rank are incomplete, all ranks fail and none waits.
   TEST_THROW(file.write("/D", std::vector<int>(comm->getRank() == comm->getSize() - 1 ? 3 : 4), 2), InternalError);
+  Hdf5Writer closed(*comm, nameOf("closed"));
+  closed.close();
+  TEST_THROW(closed.write("/A", std::vector<int>{1}), InternalError);
+  closed.close();  // nothing is left to do
+  removeOnRoot(nameOf("closed"));
 }
 
 }  // namespace

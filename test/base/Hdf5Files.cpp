@@ -17,7 +17,7 @@ namespace {
 
 using namespace hdf5testing;
 
-TEUCHOS_UNIT_TEST(Hdf5File, RowsOfAllRanksFollowEachOther) {
+TEUCHOS_UNIT_TEST(Hdf5Files, RowsOfAllRanksFollowEachOther) {
   const CommPtr comm = world();
   const int rank = comm->getRank(), ranks = comm->getSize();
   const std::string path = nameOf("rows");
@@ -26,7 +26,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, RowsOfAllRanksFollowEachOther) {
   std::iota(mine.begin(), mine.end(), 100.0 * rank + 1.0 / 3.0);
   const GlobalId big = (GlobalId(1) << 40) + rank;
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.write("/Group/Deep/Reals", mine, 2);
     file.write("/Group/Ints", std::vector<int>{rank, -rank});
     file.write("/Group/Ids", std::vector<GlobalId>{big});
@@ -40,7 +40,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, RowsOfAllRanksFollowEachOther) {
     for (int i = 0; i < 2 * r; ++i) reals.push_back(100.0 * r + 1.0 / 3.0 + i);
     ints.insert(ints.end(), {r, -r});
   }
-  const Hdf5File file = Hdf5File::open(*comm, path);
+  const Hdf5Reader file(*comm, path);
   TEST_ASSERT(file.readReals("/Group/Deep/Reals") == reals);
   TEST_ASSERT(file.readInts("/Group/Ints") == ints);
   TEST_EQUALITY(file.readGlobalIds("/Group/Ids").back(), (GlobalId(1) << 40) + ranks - 1);
@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, RowsOfAllRanksFollowEachOther) {
 }
 
 // Longer than one write, on some ranks only, and no multiple of it.
-TEUCHOS_UNIT_TEST(Hdf5File, LongRowsAreReadCompletely) {
+TEUCHOS_UNIT_TEST(Hdf5Files, LongRowsAreReadCompletely) {
   const CommPtr comm = world();
   const int rank = comm->getRank(), ranks = comm->getSize();
   const std::string path = nameOf("long");
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, LongRowsAreReadCompletely) {
     return values;
   };
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.write("/Reals", valuesOf(rank), 3);
     file.write("/Bytes", std::vector<unsigned char>(rank == ranks - 1 ? 2500001 : 0, 7));
     file.close();
@@ -72,18 +72,18 @@ TEUCHOS_UNIT_TEST(Hdf5File, LongRowsAreReadCompletely) {
     const std::vector<double> values = valuesOf(r);
     all.insert(all.end(), values.begin(), values.end());
   }
-  const Hdf5File file = Hdf5File::open(*comm, path);
+  const Hdf5Reader file(*comm, path);
   TEST_ASSERT(file.readReals("/Reals") == all);
   TEST_ASSERT(file.readInts("/Bytes") == std::vector<int>(2500001, 7));
   removeOnRoot(path);
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, TextsAndAttributesComeBack) {
+TEUCHOS_UNIT_TEST(Hdf5Files, TextsAndAttributesComeBack) {
   const CommPtr comm = world();
   const std::string path = nameOf("texts");
   const std::string text = "<a>\n \xC3\xA9 </a>";
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.write("/Record/Scene", text);
     file.write("/Record/Nothing", std::string());
     file.group("/VTKHDF");
@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, TextsAndAttributesComeBack) {
     file.attribute("/", "Unit", std::string("m"));
     file.close();
   }
-  const Hdf5File file = Hdf5File::open(*comm, path);
+  const Hdf5Reader file(*comm, path);
   TEST_EQUALITY(file.readText("/Record/Scene"), text);
   TEST_EQUALITY(file.readText("/Record/Nothing"), "");
   TEST_EQUALITY(file.readTextAttribute("/VTKHDF", "Type"), "UnstructuredGrid");
@@ -106,11 +106,11 @@ TEUCHOS_UNIT_TEST(Hdf5File, TextsAndAttributesComeBack) {
   removeOnRoot(path);
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, HasNoTimeOfItsMaking) {
+TEUCHOS_UNIT_TEST(Hdf5Files, HasNoTimeOfItsMaking) {
   const CommPtr comm = world();
   const std::string path = nameOf("untimed");
   const auto written = [&] {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.group("/Group/Of/Groups");
     file.write("/Group/Reals", std::vector<double>{0.5, 0.25}, 2);
     file.write("/Group/Text", std::string("text"));
@@ -130,11 +130,11 @@ TEUCHOS_UNIT_TEST(Hdf5File, HasNoTimeOfItsMaking) {
   removeOnRoot(path);
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, IsNotThereBeforeItIsClosed) {
+TEUCHOS_UNIT_TEST(Hdf5Files, IsNotThereBeforeItIsClosed) {
   const CommPtr comm = world();
   const std::string path = nameOf("unclosed");
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.write("/A", std::vector<int>{1});
     TEST_ASSERT(!std::filesystem::exists(path));
     TEST_ASSERT(std::filesystem::exists(path + ".part"));
@@ -145,30 +145,30 @@ TEUCHOS_UNIT_TEST(Hdf5File, IsNotThereBeforeItIsClosed) {
   TEST_ASSERT(!std::filesystem::exists(path + ".part"));
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, KeepsTheOldFileUntilTheNewOneIsComplete) {
+TEUCHOS_UNIT_TEST(Hdf5Files, KeepsTheOldFileUntilTheNewOneIsComplete) {
   const CommPtr comm = world();
   const std::string path = nameOf("old");
   for (const int value : {1, 2}) {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.write("/A", comm->getRank() == 0 ? std::vector<int>{value} : std::vector<int>{});
-    if (value == 2) TEST_EQUALITY(Hdf5File::open(*comm, path).readInts("/A")[0], 1);
+    if (value == 2) TEST_EQUALITY(Hdf5Reader(*comm, path).readInts("/A")[0], 1);
     file.close();
-    TEST_EQUALITY(Hdf5File::open(*comm, path).readInts("/A")[0], value);
+    TEST_EQUALITY(Hdf5Reader(*comm, path).readInts("/A")[0], value);
   }
   removeOnRoot(path);
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, ReportsMissingAndExistingDatasets) {
+TEUCHOS_UNIT_TEST(Hdf5Files, ReportsMissingAndExistingDatasets) {
   const CommPtr comm = world();
   const std::string path = nameOf("missing");
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     file.write("/Mesh/Points", std::vector<double>{0.5});
     file.write("/Mesh/Ids", std::vector<GlobalId>{std::numeric_limits<GlobalId>::max()});
     file.write("/Mesh/Name", std::string("x"));
     file.close();
   }
-  const Hdf5File file = Hdf5File::open(*comm, path);
+  const Hdf5Reader file(*comm, path);
   TEST_EQUALITY(inputErrorOf([&] { file.readReals("/Mesh/Point"); }),
                 path + ": has no '/Mesh/Point'. Did you mean 'Points'? Known here: Ids, Name, Points");
   TEST_ASSERT(contains(inputErrorOf([&] { file.readReals("/No/Such/Path"); }), "has no '/No/Such/Path'"));
@@ -183,12 +183,12 @@ TEUCHOS_UNIT_TEST(Hdf5File, ReportsMissingAndExistingDatasets) {
 }
 
 // Each rank writes its rows in pieces of different size, alternately to two datasets.
-TEUCHOS_UNIT_TEST(Hdf5File, TakesRowsPieceByPiece) {
+TEUCHOS_UNIT_TEST(Hdf5Files, TakesRowsPieceByPiece) {
   const CommPtr comm = world();
   const std::string path = nameOf("pieces");
   const int me = comm->getRank(), pieces = 3 + me;
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     Hdf5Rows<double> reals = file.rows<double>("/Reals", GlobalId(pieces) * (pieces - 1) / 2, 2);
     Hdf5Rows<GlobalId> integers = file.rows<GlobalId>("/Integers", pieces);
     for (int piece = 0; piece < pieces; ++piece) {
@@ -200,7 +200,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, TakesRowsPieceByPiece) {
     { const Hdf5Rows<GlobalId> gone = std::move(integers); }
     file.close();
   }
-  const Hdf5File file = Hdf5File::open(*comm, path);
+  const Hdf5Reader file(*comm, path);
   std::vector<double> reals;
   std::vector<GlobalId> integers;
   for (int rank = 0; rank < comm->getSize(); ++rank)
@@ -215,7 +215,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, TakesRowsPieceByPiece) {
 }
 
 // The disk is full before anything is written: rank 0 reserves the space of a dataset when it creates it, and all ranks get the error.
-TEUCHOS_UNIT_TEST(Hdf5File, ReservesTheRoomOfADatasetWhenItIsMade) {
+TEUCHOS_UNIT_TEST(Hdf5Files, ReservesTheRoomOfADatasetWhenItIsMade) {
   const CommPtr comm = world();
   const std::string path = nameOf("reserved");
   rlimit before;
@@ -223,7 +223,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, ReservesTheRoomOfADatasetWhenItIsMade) {
   const rlimit small{200000, before.rlim_max};
   const auto signalBefore = std::signal(SIGXFSZ, SIG_IGN);
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     if (comm->getRank() == 0) setrlimit(RLIMIT_FSIZE, &small);
     TEST_THROW(file.rows<double>("/A", 100000), EnvironmentError);
     comm->barrier();
@@ -234,11 +234,11 @@ TEUCHOS_UNIT_TEST(Hdf5File, ReservesTheRoomOfADatasetWhenItIsMade) {
   TEST_ASSERT(!std::ifstream(path + ".part").good());
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, WantsAllRowsThatWerePromisedAndNoMore) {
+TEUCHOS_UNIT_TEST(Hdf5Files, WantsAllRowsThatWerePromisedAndNoMore) {
   const CommPtr comm = world();
   const std::string path = nameOf("promised");
   {
-    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Writer file(*comm, path);
     const bool last = comm->getRank() == comm->getSize() - 1;
     {
       Hdf5Rows<int> rows = file.rows<int>("/A", 2, 3);
@@ -252,15 +252,15 @@ TEUCHOS_UNIT_TEST(Hdf5File, WantsAllRowsThatWerePromisedAndNoMore) {
   TEST_ASSERT(!std::ifstream(path).good());
 }
 
-TEUCHOS_UNIT_TEST(Hdf5File, WorksOnACommunicatorWithoutMpi) {
+TEUCHOS_UNIT_TEST(Hdf5Files, WorksOnACommunicatorWithoutMpi) {
   const Teuchos::SerialComm<int> alone;
   const std::string path = "rank" + std::to_string(world()->getRank()) + nameOf("alone");
   {
-    Hdf5File file = Hdf5File::create(alone, path);
+    Hdf5Writer file(alone, path);
     file.write("/A", std::vector<int>{world()->getRank()});
     file.close();
   }
-  TEST_EQUALITY(Hdf5File::open(alone, path).readInts("/A")[0], world()->getRank());
+  TEST_EQUALITY(Hdf5Reader(alone, path).readInts("/A")[0], world()->getRank());
   std::remove(path.c_str());
 }
 

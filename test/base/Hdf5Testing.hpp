@@ -2,7 +2,8 @@
 #include <support/Texts.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Reader.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_DefaultComm.hpp>

@@ -2,7 +2,7 @@
 // that is valid HDF5, with right checksums and arbitrary content.
 #include "Hdf5.hpp"
 
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 #include <suture/report/Checkpoint.hpp>
 
 #include <cmath>
@@ -23,7 +23,7 @@ std::vector<SubdomainMesh> meshes() {
 }
 
 void write(const std::string& path, fuzz::Bytes bytes) {
-  Hdf5File file = Hdf5File::create(fuzz::alone(), path);
+  Hdf5Writer file(fuzz::alone(), path);
   file.addChecksums();
   const std::string group = bytes.byte() % 16 == 15 ? "/Other" : "/SutureCheckpoint";
   file.group(group);

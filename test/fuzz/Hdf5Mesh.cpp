@@ -2,7 +2,7 @@
 // checksums and arbitrary content.
 #include "Hdf5.hpp"
 
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 #include <suture/reader/Hdf5Mesh.hpp>
 
 using namespace suture;
@@ -10,7 +10,7 @@ using namespace suture;
 namespace {
 
 void write(const std::string& path, fuzz::Bytes bytes) {
-  Hdf5File file = Hdf5File::create(fuzz::alone(), path);
+  Hdf5Writer file(fuzz::alone(), path);
   file.addChecksums();
   file.attribute("/", "SutureMesh", std::string(bytes.byte() % 16 == 15 ? "2" : "1"));
   const int dimension = bytes.byte() % 16;

@@ -29,7 +29,7 @@ struct Written {
   Written() {
     addContact(whole, "low_top", "top_bottom", constraints);
     partition = makePartition(*comm(), whole, constraints, metis(7).list(), false);
-    writeHdf5Mesh(*comm(), whole, path, [&](Hdf5File& file) { addPartition(file, whole, constraints, partition, madeFor, "remarks"); });
+    writeHdf5Mesh(*comm(), whole, path, [&](Hdf5Writer& file) { addPartition(file, whole, constraints, partition, madeFor, "remarks"); });
   }
   /// Changes a letter in the name of a body's first subdomain, wherever it occurs in the file.
   void damage() const {
@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(PartitionFile, RefusesDamagedTruncatedAndForeignFiles) {
   }
   {
     Written scene;
-    writeHdf5Mesh(*comm(), scene.whole, scene.path, [](Hdf5File& file) {
+    writeHdf5Mesh(*comm(), scene.whole, scene.path, [](Hdf5Writer& file) {
       file.group("/Partition");
       file.attribute("/Partition", "Version", std::string("0.1"));
     });

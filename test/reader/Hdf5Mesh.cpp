@@ -1,4 +1,4 @@
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/reader/Hdf5Mesh.hpp>
 
@@ -142,19 +142,19 @@ TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesForeignAndDamagedFiles) {
   SUTURE_CHECK_SAYS(said(folder.write("text.h5", "no HDF5 at all\n")), "text.h5");
 
   const std::string foreign = folder.path() + "/foreign.h5";
-  Hdf5File file = Hdf5File::create(*world(), foreign);
+  Hdf5Writer file(*world(), foreign);
   file.write("/Coordinates", std::vector<double>{});
   file.close();
   SUTURE_CHECK_SAYS(said(foreign), "is an HDF5 file, but not a Suture mesh");
 
   const std::string later = folder.path() + "/later.h5";
-  Hdf5File newer = Hdf5File::create(*world(), later);
+  Hdf5Writer newer(*world(), later);
   newer.attribute("/", "SutureMesh", std::string("2"));
   newer.close();
   SUTURE_CHECK_SAYS(said(later), "is a mesh of version 2; this Suture reads version 1 only");
 
   const std::string bare = folder.path() + "/bare.h5";
-  Hdf5File incomplete = Hdf5File::create(*world(), bare);
+  Hdf5Writer incomplete(*world(), bare);
   incomplete.attribute("/", "SutureMesh", std::string("1"));
   incomplete.close();
   SUTURE_CHECK_SAYS(said(bare), "/Dimension");

@@ -1,7 +1,8 @@
 #include <suture/report/Checkpoint.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Reader.hpp>
+#include <suture/base/hdf5/Hdf5Writer.hpp>
 
 #include "SampleRun.hpp"
 
@@ -24,7 +25,7 @@ void comesBack(sample::SampleRun& sample, const std::string& name, bool slides, 
   TEST_ASSERT(found.status == expected);
   TEST_EQUALITY(found.displacement.size(), sample.solution_.displacement.size());
   for (std::size_t s = 0; s < found.displacement.size(); ++s) TEST_ASSERT(found.displacement[s] == sample.solution_.displacement[s]);
-  TEST_EQUALITY(Hdf5File::open(*sample.comm_, path).has("/SutureCheckpoint/Sliding"), slides);
+  TEST_EQUALITY(Hdf5Reader(*sample.comm_, path).has("/SutureCheckpoint/Sliding"), slides);
   TEST_THROW(readCheckpoint(*sample.comm_, path, "another hash", sample.subdomains_), InputError);
 }
 
@@ -61,7 +62,7 @@ TEUCHOS_UNIT_TEST(Checkpoint, ReadsFilesWithoutTheSlopeOfTheLaw) {
         const double row[] = {0.6, -0.8, 0.0, 0.75};
         sliding.insert(sliding.end(), row, row + columns);
       }
-      Hdf5File file = Hdf5File::create(*sample.comm_, path);
+      Hdf5Writer file(*sample.comm_, path);
       file.group(group);
       file.attribute(group, "MeshHash", std::string("hash"));
       file.write(group + "/Nodes", nodes);

@@ -4,7 +4,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <fstream>
 #include <set>
-#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5Reader.hpp>
 
 #include "SampleRun.hpp"
 
@@ -25,10 +25,10 @@ std::string written() {
   return folder;
 }
 
-Hdf5File open(const std::string& name) { return Hdf5File::open(*Tpetra::getDefaultComm(), written() + "/" + name); }
+Hdf5Reader open(const std::string& name) { return Hdf5Reader(*Tpetra::getDefaultComm(), written() + "/" + name); }
 
 TEUCHOS_UNIT_TEST(Fields, CarryTheDisplacementOfEveryPoint) {
-  const Hdf5File file = open("fields_0000.vtkhdf");
+  const Hdf5Reader file = open("fields_0000.vtkhdf");
   const std::vector<double> x = file.readReals("/VTKHDF/Points"), u = file.readReals("/VTKHDF/PointData/Displacement");
   TEST_EQUALITY(x.size(), u.size());
   TEST_ASSERT(x.size() >= 3 * 2 * 7 * 4);
@@ -41,7 +41,7 @@ TEUCHOS_UNIT_TEST(Fields, CarryTheDisplacementOfEveryPoint) {
 }
 
 TEUCHOS_UNIT_TEST(Fields, CarryTheStressOfHookesLawInTheOrderOfVtk) {
-  const Hdf5File file = open("fields_0000.vtkhdf");
+  const Hdf5Reader file = open("fields_0000.vtkhdf");
   const std::vector<double> stress = file.readReals("/VTKHDF/CellData/Stress");
   TEST_EQUALITY(stress.size(), 6 * 72);
   const sample::Stress exact = sample::exactStress();
@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(Fields, CarryTheStressOfHookesLawInTheOrderOfVtk) {
 }
 
 TEUCHOS_UNIT_TEST(Fields, PrincipalStressesTurnTheTensorDiagonal) {
-  const Hdf5File file = open("fields_0000.vtkhdf");
+  const Hdf5Reader file = open("fields_0000.vtkhdf");
   const std::vector<double> s = file.readReals("/VTKHDF/CellData/PrincipalStress");
   const std::vector<double> d1 = file.readReals("/VTKHDF/CellData/PrincipalDirection1");
   const std::vector<double> d2 = file.readReals("/VTKHDF/CellData/PrincipalDirection2");
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(Fields, CarryTheEstimatedErrorOfEveryElementIfThereIsOne) {
   }
   prepareFolder(*sample.comm_, folder);
   writeReport(sample.run(), ExitCode::Done);
-  const Hdf5File file = Hdf5File::open(*sample.comm_, folder + "/fields_0000.vtkhdf");
+  const Hdf5Reader file(*sample.comm_, folder + "/fields_0000.vtkhdf");
   const std::vector<double> error = file.readReals("/VTKHDF/CellData/ErrorEstimate"), id = file.readReals("/VTKHDF/CellData/ElementId");
   TEST_EQUALITY(error.size(), 72);
   for (std::size_t i = 0; i < error.size(); ++i) TEST_EQUALITY(error[i], 0.5 + id[i]);
@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(Fields, OfSeveralPiecesAreOneGrid) {
   sample::SampleRun sample(folder, finer);
   prepareFolder(*sample.comm_, folder);
   writeReport(sample.run(), ExitCode::Done);
-  const Hdf5File file = Hdf5File::open(*sample.comm_, folder + "/fields_0000.vtkhdf");
+  const Hdf5Reader file(*sample.comm_, folder + "/fields_0000.vtkhdf");
   const std::vector<double> x = file.readReals("/VTKHDF/Points"), u = file.readReals("/VTKHDF/PointData/Displacement");
   const std::vector<GlobalId> node = file.readGlobalIds("/VTKHDF/PointData/NodeId"),
                               element = file.readGlobalIds("/VTKHDF/CellData/ElementId"),
@@ -138,17 +138,17 @@ TEUCHOS_UNIT_TEST(Fields, OfSeveralPiecesAreOneGrid) {
 }
 
 TEUCHOS_UNIT_TEST(Fields, NameTheirUnitsAndSigns) {
-  const Hdf5File file = open("fields_0000.vtkhdf");
+  const Hdf5Reader file = open("fields_0000.vtkhdf");
   TEST_EQUALITY(file.readTextAttribute("/VTKHDF/CellData/Stress", "unit"), "Pa");
   TEST_ASSERT(file.readTextAttribute("/VTKHDF/CellData/Stress", "meaning").find("tension positive") != std::string::npos);
   TEST_EQUALITY(file.readTextAttribute("/VTKHDF/PointData/Displacement", "unit"), "m");
-  const Hdf5File contact = open("contact_0000.vtkhdf");
+  const Hdf5Reader contact = open("contact_0000.vtkhdf");
   TEST_ASSERT(contact.readTextAttribute("/VTKHDF/PointData/ContactPressure", "meaning").find("compression positive") != std::string::npos);
   TEST_ASSERT(contact.readTextAttribute("/VTKHDF/PointData/Gap", "meaning").find("positive where open") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(Fields, RecordWhereTheyComeFrom) {
-  const Hdf5File file = open("fields_0000.vtkhdf");
+  const Hdf5Reader file = open("fields_0000.vtkhdf");
   TEST_EQUALITY(file.readText("/Record/Input"), "<ParameterList name=\"Suture\"/>");
   TEST_ASSERT(file.readText("/Record/Resolved").find("Maximum Iterations") != std::string::npos);
   TEST_EQUALITY(file.readText("/Record/MeshHash"), "abcd");
@@ -158,7 +158,7 @@ TEUCHOS_UNIT_TEST(Fields, RecordWhereTheyComeFrom) {
 }
 
 TEUCHOS_UNIT_TEST(Fields, RecordEverySideOfEveryGroupOnce) {
-  const Hdf5File file = open("fields_0000.vtkhdf");
+  const Hdf5Reader file = open("fields_0000.vtkhdf");
   TEST_EQUALITY(file.members("/Record/SideGroups").size(), 8);
   const std::vector<double> top = file.readReals("/Record/SideGroups/lower_top");
   TEST_EQUALITY(top.size(), 6 * 6);
@@ -172,7 +172,7 @@ TEUCHOS_UNIT_TEST(Fields, RecordEverySideOfEveryGroupOnce) {
 }
 
 TEUCHOS_UNIT_TEST(ContactFields, JoinThePairsOfALineAndKeepALonelyOne) {
-  const Hdf5File file = open("contact_0000.vtkhdf");
+  const Hdf5Reader file = open("contact_0000.vtkhdf");
   const std::vector<int> types = file.readInts("/VTKHDF/Types");
   TEST_EQUALITY(types.size(), 3);
   TEST_EQUALITY(types[0], 3);
@@ -194,7 +194,7 @@ TEUCHOS_UNIT_TEST(ContactFields, ReportForcesSlipsAndStatesOfSlidingPairs) {
   prepareFolder(*sample.comm_, folder);
   sample.rub();
   writeReport(sample.run(), ExitCode::Done);
-  const Hdf5File file = Hdf5File::open(*sample.comm_, folder + "/contact_0000.vtkhdf"), smooth = open("contact_0000.vtkhdf");
+  const Hdf5Reader file(*sample.comm_, folder + "/contact_0000.vtkhdf"), smooth = open("contact_0000.vtkhdf");
   const std::vector<double> traction = file.readReals(points + "TangentialTraction"), bound = file.readReals(points + "FrictionBound"),
                             slip = file.readReals(points + "Slip"), work = file.readReals(points + "DissipatedWork");
   const std::vector<int> stick = file.readInts(points + "Stick");
