@@ -4,7 +4,7 @@
 #include <suture/base/Timers.hpp>
 #include <suture/report/OutputSchema.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/Stages.hpp>
 
 #include "support/Heartbeat.hpp"
 #include "support/Print.hpp"
@@ -25,28 +25,29 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   if (options.printDefaults) return printDefaults(*comm, file);
   sameScene(options, file, monitor);
   const Invocation invocation = options.invocation(*comm);
-  Simulation simulation(comm, sceneOf(*comm, file), monitor, timers);
-  if (!options.check) simulation.writeInto(outputFolder(file));
-  simulation.read();
-  simulation.cut();
-  sameMesh(*comm, options, simulation);
-  simulation.check();
-  simulation.prepare();
-  printSizes(*comm, simulation, options);
-  simulation.remark();
+  RunContext run(comm, monitor, timers);
+  Scene scene = sceneOf(*comm, file);
+  if (!options.check) run.writeInto(outputFolder(file));
+  MeshedScene meshed = read(run, std::move(scene));
+  PartitionedScene partitioned = cut(std::move(meshed));
+  sameMesh(*comm, options, partitioned);
+  CheckedScene checked = check(std::move(partitioned));
+  PreparedScene prepared = prepare(std::move(checked));
+  printSizes(*comm, prepared, options);
+  prepared.remark();
   if (options.check) {
-    printChecked(*comm, simulation);
+    printChecked(*comm, prepared);
     monitor.countWarnings();
     return {};
   }
-  simulation.start(options.restart);
-  simulation.iterate();
-  if (simulation.solution().stopped) stopIsHeard();
-  simulation.judge();
+  prepared.startFrom(options.restart);
+  SolvedScene solved = solve(std::move(prepared));
+  if (solved.solution().stopped) stopIsHeard();
+  const JudgedScene judged = judge(std::move(solved));
   stopIsHeard();
-  const RunResult result = simulation.report(invocation);
+  const RunResult result = judged.report(invocation);
   monitor.countWarnings();
-  printFailure(*comm, simulation, options);
+  printFailure(*comm, judged, options);
   return result;
 }
 

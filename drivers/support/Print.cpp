@@ -15,21 +15,21 @@ RunResult printDefaults(const Comm& comm, const SceneFile& file) {
   return {};
 }
 
-void printSizes(const Comm& comm, const Simulation& simulation, const SolveOptions& options) {
+void printSizes(const Comm& comm, const PreparedScene& scene, const SolveOptions& options) {
   std::ostream* console = consoleOf(comm, options.quiet && !options.check);
   if (!console) return;
-  printHeader(*console, comm, simulation.scene().file, simulation.size());
+  printHeader(*console, comm, scene.scene().file, scene.size());
 }
 
-void printChecked(const Comm& comm, const Simulation& simulation) {
+void printChecked(const Comm& comm, const PreparedScene& scene) {
   if (std::ostream* console = consoleOf(comm, false))
-    *console << "   about " << grouped(static_cast<long>(std::ceil(simulation.megabytes()))) << " MB of memory for a run\n"
+    *console << "   about " << grouped(static_cast<long>(std::ceil(scene.megabytes()))) << " MB of memory for a run\n"
              << "   no errors found; not solved (--check)" << std::endl;
 }
 
-void printFailure(const Comm& comm, const Simulation& simulation, const SolveOptions& options) {
-  if (!options.quiet || comm.getRank() != 0 || simulation.ending() == ExitCode::Done) return;
-  const Solution& solution = simulation.solution();
+void printFailure(const Comm& comm, const JudgedScene& scene, const SolveOptions& options) {
+  if (!options.quiet || comm.getRank() != 0 || scene.ending() == ExitCode::Done) return;
+  const Solution& solution = scene.solution();
   std::cerr << "suture_solve: " << (solution.converged ? "" : "not converged: ") << solution.failure << std::endl;
 }
 

@@ -82,9 +82,9 @@ void sameScene(const SolveOptions& options, const SceneFile& file, RunMonitor& m
   for (const std::string& note : options.record->checkScene(file)) monitor.note(note);
 }
 
-void sameMesh(const Comm& comm, const SolveOptions& options, const Simulation& simulation) {
+void sameMesh(const Comm& comm, const SolveOptions& options, const PartitionedScene& scene) {
   if (!options.record) return;
-  collectivelyOnRoot(comm, "comparing meshes", [&] { options.record->checkMesh(simulation.meshHash()); });
+  collectivelyOnRoot(comm, "comparing meshes", [&] { options.record->checkMesh(scene.meshHash()); });
 }
 
 }  // namespace suture

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/scene/SceneReader.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/Stages.hpp>
 
 #include "SolveOptions.hpp"
 
@@ -16,7 +16,7 @@ ExitCode solveAgain(const CommPtr& comm, SolveOptions options, std::string& subj
 /// Refuses a scene whose parameters differ from the record, and notes a file with other changes. No effect without a record. Local.
 void sameScene(const SolveOptions& options, const SceneFile& file, RunMonitor& monitor);
 
-/// Refuses a mesh that differs from the record. No effect without a record. Call after Simulation::cut(). Collective.
-void sameMesh(const Comm& comm, const SolveOptions& options, const Simulation& simulation);
+/// Refuses a mesh that differs from the record. No effect without a record. Collective.
+void sameMesh(const Comm& comm, const SolveOptions& options, const PartitionedScene& scene);
 
 }  // namespace suture

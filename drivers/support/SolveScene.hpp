@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/Stages.hpp>
 
 #include "SolveOptions.hpp"
 

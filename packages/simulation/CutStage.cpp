@@ -89,7 +89,7 @@ CutMesh cutMesh(const Comm& comm, const Scene& scene, const Mesh& mesh, const Co
   return cut;
 }
 
-void addCut(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const Whole& whole,
+void addCut(Hdf5Writer& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const Whole& whole,
             const Scene& scene) {
   addPartition(file, mesh, constraints, partition, madeFor(scene.settings()), bytesOf(whole));
 }

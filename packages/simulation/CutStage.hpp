@@ -35,7 +35,7 @@ bool isCut(const Scene& scene);
 CutMesh cutMesh(const Comm& comm, const Scene& scene, const Mesh& mesh, const Constraints& constraints);
 
 /// Adds the scene's partition to its mesh file (suture_partition). On rank 0.
-void addCut(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const Whole& whole,
+void addCut(Hdf5Writer& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const Whole& whole,
             const Scene& scene);
 
 /// Frees the whole mesh and its constraints on rank 0 once no later stage needs them. Local.

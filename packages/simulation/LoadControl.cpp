@@ -3,7 +3,7 @@
 #include <suture/base/Monitor.hpp>
 #include <suture/elasticity/loads/Load.hpp>
 #include <suture/simulation/LoadControl.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/Stages.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -116,21 +116,16 @@ class Search {
       load(i).setAmount(amounts[i]);
       trial_.model.loads[loads_[i]].setAmount(amounts[i]);
     }
-    Simulation simulation(comm_, trial_);
-    simulation.read();
-    simulation.cut();
-    simulation.check();
-    simulation.prepare();
-    simulation.iterate();
+    const SolvedScene solved = solve(prepare(check(cut(read(RunContext(comm_), trial_)))));
     ++steps_;
-    const Solution& solution = simulation.solution();
+    const Solution& solution = solved.solution();
     if (!solution.converged)
       throw NumericalError("step " + std::to_string(steps_) + " towards the target of " + nameOf(load(0)) + ": " + solution.failure);
     reached_ = std::max(kReached, kAccuracy * requestedAccuracy(scene_.settings(), solution));
     displacement_ = largestDisplacement(*comm_, solution);
     Vector misfit(size_);
     for (Eigen::Index i = 0; i < size_; ++i) {
-      const double value = controlledValue(*comm_, simulation.meshes(), scene_.model, solution.displacement, load(i));
+      const double value = controlledValue(*comm_, solved.meshes(), scene_.model, solution.displacement, load(i));
       largest_[i] = std::max(largest_[i], std::abs(value));
       misfit[i] = value - load(i).target;
     }

@@ -3,7 +3,7 @@
 #include <suture/report/SceneSchema.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/Overrides.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/Stages.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
 
 #include <Teuchos_Array.hpp>
@@ -31,19 +31,15 @@ std::vector<std::string> overridesOf(const std::string& level) {
 }
 
 CoarseAnswer solveLevel(const CommPtr& comm, const Scene& level, const CoarseAnswer* coarser, Monitor& monitor) {
-  Simulation simulation(comm, level);
-  simulation.read();
-  simulation.cut();
-  simulation.check();
-  simulation.prepare();
-  if (coarser) simulation.startFrom(nestedStart(*comm, *coarser, simulation.meshes()));
-  simulation.iterate();
-  const Solution& solution = simulation.solution();
-  const std::string elements = counted(simulation.size().elements, "element");
+  PreparedScene prepared = prepare(check(cut(read(RunContext(comm), level))));
+  if (coarser) prepared.startFrom(nestedStart(*comm, *coarser, prepared.meshes()));
+  const SolvedScene solved = solve(std::move(prepared));
+  const Solution& solution = solved.solution();
+  const std::string elements = counted(solved.size().elements, "element");
   if (!solution.converged) throw NumericalError("nested start, level of " + elements + ": " + solution.failure);
   monitor.note("nested start: " + elements + ", " + std::to_string(solution.iterations) + " outer, " + std::to_string(solution.pcgTotal) +
                " + " + std::to_string(solution.auxiliary.pcg) + " PCG");
-  return {simulation.meshes(), solution};
+  return {solved.meshes(), solution};
 }
 
 }  // namespace

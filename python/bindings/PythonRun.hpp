@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/CoupledScene.hpp>
 
 #include <memory>
 #include <optional>
@@ -11,7 +11,7 @@
 namespace suture {
 namespace SUTURE_HIDDEN python {
 
-/// A simulation of a scene, with its solution.
+/// A run of a scene, with its solution: all stages once, or coupled to the script.
 class PythonRun {
  public:
   /// Collective. \param text  of the scene, XML;  \param name  for messages;  \param folder  base of relative file names
@@ -26,15 +26,19 @@ class PythonRun {
   /// Runs all stages. Collective. \param output  folder of the files, if any  \param restart  initial checkpoint, or ""
   void solve(const std::optional<std::string>& output, const std::string& restart);
 
-  /// Solves with the present loads (Simulation::coupling). Collective. \param verified  verifies the solution
-  void solveAgain(bool verified);
+  /// Calls a collective function of the coupled scene, which is made at the first call; an exception on one rank is raised on all
+  /// (together()). Collective.
+  void doCoupled(const std::function<void(CoupledScene&)>& way);
+  /// Calls a function on all ranks; an exception on one rank is raised on all. Collective.
+  void doTogether(const std::function<void()>& way);
 
-  /// Calls a collective function of the simulation; an exception on one rank is raised on all (together()). Collective.
-  void doTogether(const std::function<void(Simulation&)>& way);
-
-  const Simulation& simulation() const { return *parts_->simulation; }
-  bool isDone() const { return simulation().ending() == ExitCode::Done; }
-  int exitCode() const { return static_cast<int>(simulation().ending()); }
+  const CoupledScene& coupled() const;
+  const Scene& scene() const;
+  const std::vector<SubdomainMesh>& meshes() const;
+  const Solution& solution() const;
+  ExitCode ending() const;
+  bool isDone() const { return ending() == ExitCode::Done; }
+  int exitCode() const { return static_cast<int>(ending()); }
   /// Reason if it is not done.
   std::string failure() const;
   const std::string& summary() const { return summary_; }  ///< text of summary.json, on rank 0
@@ -48,7 +52,9 @@ class PythonRun {
     MeetingPoint meeting;
     Timers timers;
     RunMonitor monitor;
-    std::unique_ptr<Simulation> simulation;
+    Scene scene;
+    std::optional<JudgedScene> judged;
+    std::optional<CoupledScene> coupled;
 
     Parts(const CommPtr& ranks, bool shows);
   };

@@ -14,8 +14,8 @@ class Subdomain {
  public:
   Subdomain(py::object run, std::size_t place) : run_(std::move(run)), place_(place) {}
 
-  const SubdomainMesh& mesh() const { return simulation().meshes()[place_]; }
-  const std::string& body() const { return simulation().scene().model.bodies[static_cast<std::size_t>(mesh().body)]; }
+  const SubdomainMesh& mesh() const { return run().meshes()[place_]; }
+  const std::string& body() const { return run().scene().model.bodies[static_cast<std::size_t>(mesh().body)]; }
 
   py::array nodes() const { return view(mesh().globalNodes.data(), {mesh().nodes()}, run_); }
   py::array elementNumbers() const { return view(mesh().globalElements.data(), {mesh().elements()}, run_); }
@@ -25,16 +25,16 @@ class Subdomain {
 
   /// Without a copy, unless a prescribed rigid motion was removed from it.
   py::array displacement() const {
-    const Vector& own = simulation().solution().displacement[place_];
+    const Vector& own = run().solution().displacement[place_];
     if (mesh().lift.motion.size() == 0) return view(own.data(), {mesh().nodes(), mesh().dimension}, run_);
     py::array_t<double> all({mesh().nodes(), mesh().dimension});
     Eigen::Map<Vector>(all.mutable_data(), own.size()) = own + mesh().lift.motion;
     return all;
   }
   Matrix stress() const {
-    const std::map<int, Matrix>& own = simulation().solution().ownStresses;
+    const std::map<int, Matrix>& own = run().solution().ownStresses;
     if (const auto found = own.find(static_cast<int>(place_)); found != own.end()) return found->second;
-    return elementStresses(mesh(), simulation().scene().model, simulation().solution().displacement[place_]);
+    return elementStresses(mesh(), run().scene().model, run().solution().displacement[place_]);
   }
   Vector vonMises() const { return suture::vonMises(stress()); }
 
@@ -43,7 +43,7 @@ class Subdomain {
   static py::ssize_t size(const std::vector<T>& all) {
     return static_cast<py::ssize_t>(all.size());
   }
-  const Simulation& simulation() const { return run_.cast<const PythonRun&>().simulation(); }
+  const PythonRun& run() const { return run_.cast<const PythonRun&>(); }
 
   py::object run_;
   std::size_t place_;
@@ -77,7 +77,7 @@ class Pairs {
 
 std::vector<Subdomain> subdomainsOf(const py::object& run) {
   std::vector<Subdomain> all;
-  for (std::size_t i = 0; i < run.cast<const PythonRun&>().simulation().solution().displacement.size(); ++i) all.emplace_back(run, i);
+  for (std::size_t i = 0; i < run.cast<const PythonRun&>().solution().displacement.size(); ++i) all.emplace_back(run, i);
   return all;
 }
 
@@ -148,11 +148,11 @@ std::vector<double> listOf(const py::object& values) {
 }
 
 /// Sets values at a surface. Converts the values on all ranks before the collective call, so that an error cannot leave ranks waiting.
-template <void (Simulation::*give)(const CouplingSurface&, const std::vector<double>&)>
+template <void (CoupledScene::*give)(const CouplingSurface&, const std::vector<double>&)>
 void given(PythonRun& run, const CouplingSurface& at, const py::object& values) {
   std::vector<double> numbers;
-  run.doTogether([&](Simulation&) { numbers = listOf(values); });
-  run.doTogether([&](Simulation& simulation) { (simulation.*give)(at, numbers); });
+  run.doTogether([&] { numbers = listOf(values); });
+  run.doCoupled([&](CoupledScene& coupled) { (coupled.*give)(at, numbers); });
 }
 
 void bindSurface(py::module_& module) {
@@ -179,7 +179,7 @@ void bindSurface(py::module_& module) {
 
 /// Displacements of a surface's nodes, nodes x dimension.
 py::array displacementsOf(const PythonRun& run, const CouplingSurface& surface) {
-  const std::vector<double> values = run.simulation().displacements(surface);
+  const std::vector<double> values = run.coupled().displacements(surface);
   py::array_t<double> all({static_cast<py::ssize_t>(values.size()) / surface.dimension, static_cast<py::ssize_t>(surface.dimension)});
   std::copy(values.begin(), values.end(), all.mutable_data());
   return std::move(all);
@@ -198,14 +198,14 @@ void bindRuns(py::module_& module) {
       .def("coupling",
            [](PythonRun& self, const std::string& group) {
              CouplingSurface surface;
-             self.doTogether([&](Simulation& simulation) { surface = simulation.coupling(group); });
+             self.doCoupled([&](CoupledScene& coupled) { surface = coupled.surface(group); });
              return surface;
            })
-      .def("set_forces", given<&Simulation::setForces>)
-      .def("set_tractions", given<&Simulation::setTractions>)
-      .def("set_displacements", given<&Simulation::setDisplacements>)
-      .def("solve_again", &PythonRun::solveAgain)
-      .def("advance", [](PythonRun& self) { self.doTogether([](Simulation& simulation) { simulation.advance(); }); })
+      .def("set_forces", given<&CoupledScene::setForces>)
+      .def("set_tractions", given<&CoupledScene::setTractions>)
+      .def("set_displacements", given<&CoupledScene::setDisplacements>)
+      .def("solve_again", [](PythonRun& self, bool verified) { self.doCoupled([&](CoupledScene& coupled) { coupled.solve(verified); }); })
+      .def("advance", [](PythonRun& self) { self.doCoupled([](CoupledScene& coupled) { coupled.advance(); }); })
       .def("displacements", &displacementsOf)
       .def_property_readonly("is_done", &PythonRun::isDone)
       .def_property_readonly("exit_code", &PythonRun::exitCode)
@@ -213,11 +213,10 @@ void bindRuns(py::module_& module) {
       .def_property_readonly("summary_text", &PythonRun::summary)
       .def_property_readonly("notes", &PythonRun::notes)
       .def_property_readonly("history", &PythonRun::history)
-      .def_property_readonly("energy", [](const PythonRun& self) { return self.simulation().solution().energy; })
-      .def_property_readonly("contacts", [](const PythonRun& self) { return self.simulation().scene().contacts; })
+      .def_property_readonly("energy", [](const PythonRun& self) { return self.solution().energy; })
+      .def_property_readonly("contacts", [](const PythonRun& self) { return self.scene().contacts; })
       .def_property_readonly("subdomains", [](const py::object& self) { return subdomainsOf(self); })
-      .def_property_readonly(
-          "pairs", [](const py::object& self) { return Pairs(self, self.cast<const PythonRun&>().simulation().solution().pairs); });
+      .def_property_readonly("pairs", [](const py::object& self) { return Pairs(self, self.cast<const PythonRun&>().solution().pairs); });
 }
 
 }  // namespace suture::python

@@ -1,6 +1,6 @@
 #include <corpus/CorpusRun.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/Stages.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -43,20 +43,15 @@ Vector gathered(const Comm& comm, const Mesh& mesh, int nodes, const std::vector
 void solve(const CommPtr& comm, const CorpusScene& corpusScene, const Way& way, Whole& whole, Outcome& outcome) {
   Scene scene = sceneOf(resolve(corpusScene, way.overrides()));
   scene.mesh = [&](const Comm& ranks) { return ranks.getRank() == 0 ? corpusScene.mesh : Mesh(); };
-  Simulation simulation(comm, scene);
-  simulation.read();
-  whole = {simulation.mesh(), simulation.constraints(), scene.model};
-  simulation.cut();
-  simulation.check();
-  simulation.prepare();
-  simulation.iterate();
-  simulation.judge();
-  const Solution& solution = simulation.solution();
+  MeshedScene meshed = read(RunContext(comm), scene);
+  whole = {meshed.mesh(), meshed.constraints(), scene.model};
+  const JudgedScene judged = judge(suture::solve(prepare(check(cut(std::move(meshed))))));
+  const Solution& solution = judged.solution();
   outcome.ending = solution.converged ? Ending::Solved : Ending::Lost;
   outcome.reason = solution.failure;
   outcome.iterations = solution.iterations;
   outcome.pcg = solution.pcgTotal + solution.auxiliary.pcg;
-  outcome.displacement = gathered(*comm, whole.mesh, corpusScene.mesh.nodes(), simulation.meshes(), solution, outcome.seam);
+  outcome.displacement = gathered(*comm, whole.mesh, corpusScene.mesh.nodes(), judged.meshes(), solution, outcome.seam);
   for (const PairResult& pair : solution.pairs) outcome.forces.push_back(pair.force);
 }
 

@@ -262,11 +262,10 @@ TEUCHOS_UNIT_TEST(Probes, AlongAContactHaveItsPressures) {
 
 TEUCHOS_UNIT_TEST(Probes, OutsideTheBodiesAreRefusedBeforeAnythingIsSolved) {
   for (const char* place : {"{3, 0.5}", "{-1e-3, -1}"}) {
-    Simulation simulation(blocks::world(), bar(Load::traction("bar_right", {1, 0, 0}),
-                                               {"Output/Probes/far/Type=Point", std::string("Output/Probes/far/Place=") + place}));
-    simulation.read();
-    simulation.cut();
-    TEST_THROW(simulation.check(), InputError);
+    PartitionedScene scene =
+        cut(read(RunContext(blocks::world()), bar(Load::traction("bar_right", {1, 0, 0}),
+                                                  {"Output/Probes/far/Type=Point", std::string("Output/Probes/far/Place=") + place})));
+    TEST_THROW(check(std::move(scene)), InputError);
   }
 }
 

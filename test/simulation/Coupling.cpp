@@ -4,6 +4,7 @@
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/report/SceneSchema.hpp>
+#include <suture/simulation/CoupledScene.hpp>
 #include <suture/simulation/Simulation.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -50,7 +51,8 @@ double sumOf(const std::vector<double>& mine) {
 }
 
 /// Largest difference of displacements over the largest displacement, over all ranks; both runs have the same partition.
-double distanceBetween(const Simulation& one, const Simulation& other) {
+template <typename One, typename Other>
+double distanceBetween(const One& one, const Other& other) {
   double mine[2] = {0.0, 0.0}, all[2];
   for (std::size_t i = 0; i < one.meshes().size(); ++i) {
     const Vector &a = one.solution().displacement[i], &b = other.solution().displacement[i];
@@ -95,8 +97,8 @@ Scene bar(const std::vector<Load>& loads, Cell cell = Cell::Triangle3) {
 
 TEUCHOS_UNIT_TEST(Coupling, HasEveryNodeOfAGroupOnceWithItsSizeAndNormal) {
   for (const auto& [cell, nodes] : {std::pair(Cell::Triangle3, 5), {Cell::Quadrilateral9, 9}}) {
-    Simulation simulation(blocks::world(), bar({}, cell));
-    const CouplingSurface surface = simulation.coupling("bar_right");
+    CoupledScene simulation(blocks::world(), bar({}, cell));
+    const CouplingSurface surface = simulation.surface("bar_right");
     TEST_EQUALITY(sumOf(std::vector<double>(surface.nodes.size(), 1.0)), nodes);
     TEST_FLOATING_EQUALITY(sumOf(surface.areas), 1.0, 1e-14);
     TEST_ASSERT(std::is_sorted(surface.nodes.begin(), surface.nodes.end()));
@@ -112,13 +114,13 @@ TEUCHOS_UNIT_TEST(Coupling, HasEveryNodeOfAGroupOnceWithItsSizeAndNormal) {
 // Forces of a uniform traction equal the traction times the areas, and stretch the bar as the formula predicts.
 TEUCHOS_UNIT_TEST(Coupling, AUniformTractionAsNodalForcesStretchesABarAsItMust) {
   for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Quadrilateral9}) {
-    Simulation simulation(blocks::world(), bar({}, cell));
-    const CouplingSurface surface = simulation.coupling("bar_right");
+    CoupledScene simulation(blocks::world(), bar({}, cell));
+    const CouplingSurface surface = simulation.surface("bar_right");
     for (const double pull : {3e4, -1e4, 5e4}) {
       std::vector<double> forces;
       for (const double area : surface.areas) forces.insert(forces.end(), {pull * area, 0.0});
       simulation.setForces(surface, forces);
-      const Solution& solution = simulation.solveAgain();
+      const Solution& solution = simulation.solve();
       TEST_ASSERT(simulation.ending() == ExitCode::Done);
       const std::vector<double> u = simulation.displacements(surface);
       for (std::size_t i = 0; i < surface.nodes.size(); ++i) {
@@ -134,17 +136,17 @@ TEUCHOS_UNIT_TEST(Coupling, AUniformTractionAsNodalForcesStretchesABarAsItMust) 
 }
 
 TEUCHOS_UNIT_TEST(Coupling, ALinearSceneWhoseLoadsGrowTogetherIsSolvedAlready) {
-  Simulation simulation(blocks::world(), bar({}));
-  const CouplingSurface surface = simulation.coupling("bar_right");
+  CoupledScene simulation(blocks::world(), bar({}));
+  const CouplingSurface surface = simulation.surface("bar_right");
   const auto shear = [&](double amount) { return at(surface, [=](const Point& p) { return Point{0, amount * p[1] * p[1], 0}; }); };
   simulation.setTractions(surface, shear(1e3));
-  const int first = simulation.solveAgain().auxiliary.pcg;
+  const int first = simulation.solve().auxiliary.pcg;
   TEST_COMPARE(first, >, 3);
   simulation.setTractions(surface, shear(-7e3));
-  TEST_COMPARE(simulation.solveAgain().auxiliary.pcg, <=, 2);
+  TEST_COMPARE(simulation.solve().auxiliary.pcg, <=, 2);
   TEST_ASSERT(simulation.ending() == ExitCode::Done);
   simulation.setTractions(surface, shear(0.0));  // nothing remains of the previous step
-  simulation.solveAgain();
+  simulation.solve();
   for (const double u : simulation.displacements(surface)) TEST_EQUALITY(u, 0.0);
 }
 
@@ -177,12 +179,12 @@ TEUCHOS_UNIT_TEST(Coupling, EverySolveIsThatOfASceneWithTheseLoads) {
                                             {"Semismooth Newton", "Condensed Groups"},
                                             {"Monolithic", "Contact On The Interface"}}) {
     const std::vector<std::string> settings{"Outer Solver/Type=" + method, "Formulation=" + formulation};
-    Simulation coupled(blocks::world(), blocksWith({}, settings));
-    const CouplingSurface surface = coupled.coupling("upper_top");
+    CoupledScene coupled(blocks::world(), blocksWith({}, settings));
+    const CouplingSurface surface = coupled.surface("upper_top");
     std::vector<int> closed;
     for (const double amount : {0.0, 7.0, -7.0, 0.5}) {
       coupled.setTractions(surface, at(surface, tipping(amount)));
-      const Solution& solution = coupled.solveAgain(false);
+      const Solution& solution = coupled.solve(false);
       TEST_ASSERT(solution.verification.checks.empty());
       coupled.verify();
       closed.push_back(closedPairs(solution));
@@ -217,11 +219,11 @@ TEUCHOS_UNIT_TEST(Coupling, MovesAHeldGroupAsAConditionDoes) {
                      {condition, Condition::displacement("bar_bottom", {0, 0})}, {},
                      {"Partition/METIS/Subdomains=4", "Outer Solver/Tolerance=1e-12"});
   };
-  Simulation coupled(blocks::world(), scene(Condition::displacement("bar_top", {0}, {1})));
-  const CouplingSurface surface = coupled.coupling("bar_top");
+  CoupledScene coupled(blocks::world(), scene(Condition::displacement("bar_top", {0}, {1})));
+  const CouplingSurface surface = coupled.surface("bar_top");
   for (const double factor : {1.0, -2.0}) {
     coupled.setDisplacements(surface, at(surface, [&](const Point& p) { return scaled(factor, field(p)); }));
-    coupled.solveAgain();
+    coupled.solve();
     TEST_ASSERT(coupled.ending() == ExitCode::Done);
     Condition moved = Condition::displacement("bar_top", {0}, {1});
     moved.data.expressions = {Expression([&](const Point& p) { return factor * field(p)[1]; })};
@@ -249,11 +251,12 @@ TEUCHOS_UNIT_TEST(Coupling, In3DTractionsAreThoseOfACondition) {
       return makeScene(model, [box] { return boxes({box}); }, {Condition::displacement("block_bottom", {0, 0, 0}, {0, 1, 2})}, {},
                        {"Partition/METIS/Subdomains=4", "Outer Solver/Tolerance=1e-12"});
     };
-    Simulation coupled(blocks::world(), scene({})), fresh(blocks::world(), scene({along("block_top", 3, field)}));
-    const CouplingSurface surface = coupled.coupling("block_top");
+    CoupledScene coupled(blocks::world(), scene({}));
+    Simulation fresh(blocks::world(), scene({along("block_top", 3, field)}));
+    const CouplingSurface surface = coupled.surface("block_top");
     TEST_FLOATING_EQUALITY(sumOf(surface.areas), 1.0, 1e-13);
     coupled.setTractions(surface, at(surface, field));
-    const Solution& solution = coupled.solveAgain();
+    const Solution& solution = coupled.solve();
     fresh.solve();
     TEST_ASSERT(coupled.ending() == ExitCode::Done);
     TEST_COMPARE(distanceBetween(coupled, fresh), <, 1e-9);
@@ -303,15 +306,16 @@ TEUCHOS_UNIT_TEST(Coupling, WithFrictionAdvanceEndsAStep) {
   const std::string push = "Boundary Conditions/push/Value=";
   Simulation path(blocks::world(), rubbingScene({push + "{1000}", "Load Steps/Times={1, 2, 3}", "Load Steps/Factors/push={0, 6.5, 1}",
                                                  "Load Steps/Largest Change=1"}));
-  Simulation once(blocks::world(), rubbingScene({push + "{1000}"})), coupled(blocks::world(), rubbingScene());
+  Simulation once(blocks::world(), rubbingScene({push + "{1000}"}));
+  CoupledScene coupled(blocks::world(), rubbingScene());
   path.solve();
   once.solve();
   TEST_ASSERT(path.ending() == ExitCode::Done && once.ending() == ExitCode::Done);
   TEST_COMPARE(distanceBetween(path, once), >, 1e-3);
-  const CouplingSurface surface = coupled.coupling("upper_right");
+  const CouplingSurface surface = coupled.surface("upper_right");
   const auto solve = [&](double pressure) {
     coupled.setTractions(surface, at(surface, [=](const Point&) { return Point{-pressure, 0, 0}; }));
-    coupled.solveAgain();
+    coupled.solve();
     TEST_ASSERT(coupled.ending() == ExitCode::Done);
   };
   for (const double pressure : {0.0, 6500.0, 1000.0}) solve(pressure);  // all trials of one step
@@ -327,11 +331,11 @@ TEUCHOS_UNIT_TEST(Coupling, WithFrictionAdvanceEndsAStep) {
 // Glued sides leave a linear problem whose unknowns depend on each other.
 TEUCHOS_UNIT_TEST(Coupling, OfGluedBlocksBeginsOnTheWayToTheLastAnswer) {
   const std::vector<std::string> glued{"Contact/joint/Law=Tied"};
-  Simulation coupled(blocks::world(), rubbingScene(glued));
-  const CouplingSurface surface = coupled.coupling("upper_right");
+  CoupledScene coupled(blocks::world(), rubbingScene(glued));
+  const CouplingSurface surface = coupled.surface("upper_right");
   for (const double pressure : {1000.0, 3000.0, -2000.0}) {
     coupled.setTractions(surface, at(surface, [=](const Point&) { return Point{-pressure, 0, 0}; }));
-    coupled.solveAgain();
+    coupled.solve();
     TEST_ASSERT(coupled.ending() == ExitCode::Done);
     std::vector<std::string> settings = glued;
     settings.push_back("Boundary Conditions/push/Value={" + std::to_string(pressure) + "}");
@@ -348,9 +352,9 @@ TEUCHOS_UNIT_TEST(Coupling, IsRefusedTheSameOnAllRanks) {
       TEST_ASSERT(text.find(one) != std::string::npos);
     }
   };
-  Simulation simulation(blocks::world(), blocksWith({}, {}));
-  says(complaint([&] { simulation.coupling("uper_top"); }), {"no such side group 'uper_top'", "Did you mean 'upper_top'?"});
-  const CouplingSurface surface = simulation.coupling("upper_top"), ground = simulation.coupling("upper_left");
+  CoupledScene simulation(blocks::world(), blocksWith({}, {})), other(blocks::world(), blocksWith({}, {}));
+  says(complaint([&] { simulation.surface("uper_top"); }), {"no such side group 'uper_top'", "Did you mean 'upper_top'?"});
+  const CouplingSurface surface = simulation.surface("upper_top"), ground = simulation.surface("upper_left");
   std::vector<double> forces(2 * surface.nodes.size(), 1.0);
   if (blocks::world()->getRank() == 0) forces.push_back(1.0);
   says(complaint([&] { simulation.setForces(surface, forces); }), {"coupling 'upper_top'", "values for forces; expected 2 components"});
@@ -361,14 +365,17 @@ TEUCHOS_UNIT_TEST(Coupling, IsRefusedTheSameOnAllRanks) {
        {"displacements cannot be prescribed at nodes in a contact"});
   TEST_THROW(simulation.advance(), InternalError);
   TEST_THROW(simulation.verify(), InternalError);
-  simulation.solveAgain();
-  TEST_THROW(simulation.coupling("upper_right"), InternalError);
-  simulation.judge();
-  TEST_THROW(simulation.solveAgain(), InternalError);
-  Simulation alone(blocks::world(), blocksWith({}, {}));
-  TEST_THROW(alone.solveAgain(), InternalError);
-  Simulation steps(blocks::world(), blocksWith({}, {"Load Steps/Times={1, 2}"}));
-  says(complaint([&] { steps.coupling("upper_top"); }), {"Load Steps", "not available in a coupled scene"});
+  TEST_THROW(other.setForces(surface, std::vector<double>(surface.coordinates.size(), 0.0)), InternalError);
+  TEST_THROW(simulation.summary(), InternalError);
+  TEST_ASSERT(simulation.ending() != ExitCode::Done);
+  simulation.solve();
+  TEST_ASSERT(simulation.ending() == ExitCode::Done);
+  TEST_THROW(simulation.surface("upper_right"), InternalError);
+  simulation.solve(false);
+  TEST_ASSERT(simulation.ending() != ExitCode::Done);
+  TEST_THROW(simulation.summary(), InternalError);
+  says(complaint([&] { CoupledScene steps(blocks::world(), blocksWith({}, {"Load Steps/Times={1, 2}"})); }),
+       {"Load Steps", "not available in a coupled scene"});
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <support/Blocks.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/CoupledScene.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,26 +29,26 @@ Scene twoBlocks(int cells) {
 
 TEUCHOS_UNIT_TEST(CouplingCost, OfASolveIsAFifthOfTheFirstAtMost) {
   const double begin = processorSeconds();
-  Simulation simulation(blocks::world(), twoBlocks(180));
-  const CouplingSurface surface = simulation.coupling("upper_top");
+  CoupledScene coupled(blocks::world(), twoBlocks(180));
+  const CouplingSurface surface = coupled.surface("upper_top");
   double first = 0.0, solve = HUGE_VAL, judged = HUGE_VAL;
   for (int step = 0; step < 8; ++step) {
     const double before = step == 0 ? begin : processorSeconds();
     std::vector<double> tractions;
     for (std::size_t i = 0; i < surface.nodes.size(); ++i)
       tractions.insert(tractions.end(), {200.0 * step, -1e4 * (1.0 + 0.3 * std::sin(step + 2.0 * surface.coordinates[2 * i]))});
-    simulation.setTractions(surface, tractions);
-    const Solution& solution = simulation.solveAgain(false);
+    coupled.setTractions(surface, tractions);
+    const Solution& solution = coupled.solve(false);
     const double solved = processorSeconds() - before;
-    simulation.verify();
-    TEST_ASSERT(simulation.ending() == ExitCode::Done);
+    coupled.verify();
+    TEST_ASSERT(coupled.ending() == ExitCode::Done);
     const double seconds = processorSeconds() - before;
     out << "solve " << step << ": " << solution.iterations << " outer, " << solution.pcgTotal << " PCG, " << solved
         << " s, with the verdict " << seconds << " s\n";
     if (step == 0) first = seconds;
     if (step > 0) solve = std::min(solve, solved), judged = std::min(judged, seconds);
   }
-  TEST_COMPARE(simulation.size().dofs, >, 95000);
+  TEST_COMPARE(coupled.size().dofs, >, 95000);
   TEST_COMPARE(solve, <=, 0.2 * first);
   TEST_COMPARE(judged, <=, 0.3 * first);  // the verdict: a third of a solve
 }

@@ -59,16 +59,7 @@ std::vector<std::string> with(std::vector<std::string> settings, const std::vect
 struct Path {
   Simulation simulation;
   explicit Path(const std::vector<std::string>& settings) : simulation(blocks::world(), sceneWith(settings)) {}
-  const Solution& solve(const std::string& restart = "") {
-    simulation.read();
-    simulation.cut();
-    simulation.check();
-    simulation.prepare();
-    simulation.start(restart);
-    simulation.iterate();
-    simulation.judge();
-    return simulation.solution();
-  }
+  const Solution& solve(const std::string& restart = "") { return simulation.solve(restart); }
 };
 
 /// Largest difference of displacements over the largest displacement, over all ranks; both runs have the same partition. Without friction

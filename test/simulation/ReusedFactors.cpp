@@ -4,6 +4,7 @@
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/precond/Bddc.hpp>
+#include <suture/simulation/CoupledScene.hpp>
 #include <suture/simulation/Simulation.hpp>
 #include <suture/subdomain/ExplicitSchurComplement.hpp>
 
@@ -105,16 +106,16 @@ Scene pressedBlocks() {
 TEUCHOS_UNIT_TEST(ReusedFactors, ACoupledSceneFactorsOnce) {
   for (const bool contact : {false, true}) {
     factored = reloaded = preconditioned = 0;
-    Simulation simulation(blocks::world(), contact ? pressedBlocks() : beam({}));
-    const CouplingSurface surface = simulation.coupling(contact ? "upper_top" : "beam_right");
+    CoupledScene coupled(blocks::world(), contact ? pressedBlocks() : beam({}));
+    const CouplingSurface surface = coupled.surface(contact ? "upper_top" : "beam_right");
     const int solves = 4;
     int first = 0;
     for (int solve = 0; solve < solves; ++solve) {
       std::vector<double> forces;
       for (const double area : surface.areas) forces.insert(forces.end(), {10.0 * solve * area, -300.0 * area});
-      simulation.setForces(surface, forces);
-      simulation.solveAgain();
-      TEST_ASSERT(simulation.ending() == ExitCode::Done);
+      coupled.setForces(surface, forces);
+      coupled.solve();
+      TEST_ASSERT(coupled.ending() == ExitCode::Done);
       if (solve == 0) first = preconditioned;
     }
     TEST_EQUALITY(over(factored), 6);

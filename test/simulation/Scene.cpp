@@ -121,8 +121,7 @@ TEUCHOS_UNIT_TEST(Scene, MayHaveARigidObstacleAndNoOtherBody) {
 /// All errors of a scene, from its construction to its first stages.
 std::string complaint(const std::function<Scene()>& make) {
   try {
-    Simulation simulation(blocks::world(), make());
-    simulation.read();
+    read(RunContext(blocks::world()), make());
   } catch (const InputError& error) {
     return error.what();
   }

@@ -11,7 +11,7 @@
 #include <Tpetra_Core.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/CoupledScene.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,17 +64,17 @@ int main(int argc, char* argv[]) {
   const bool prints = comm->getRank() == 0;
   try {
     const double begin = Timers::now();
-    Simulation simulation(comm, blocks(argc > 1 ? std::atoi(argv[1]) : 16));
-    const CouplingSurface surface = simulation.coupling("upper_top");
+    CoupledScene coupled(comm, blocks(argc > 1 ? std::atoi(argv[1]) : 16));
+    const CouplingSurface surface = coupled.surface("upper_top");
     double first = 0.0, worst = 0.0;
 
     /// One exchange: applies the forces of the gas and returns the mean downward displacement of the surface.
     const auto wayAt = [&](double pressure) {
       std::vector<double> forces;
       for (const double normal : surface.normals) forces.push_back(-pressure * normal);
-      simulation.setForces(surface, forces);
-      simulation.solveAgain(false);
-      const std::vector<double> u = simulation.displacements(surface);
+      coupled.setForces(surface, forces);
+      coupled.solve(false);
+      const std::vector<double> u = coupled.displacements(surface);
       double mine = 0.0, sum = 0.0;
       for (std::size_t i = 0; i < surface.nodes.size(); ++i) mine -= surface.areas[i] * u[2 * i + 1];
       Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
@@ -98,24 +98,24 @@ int main(int argc, char* argv[]) {
         else
           seconds += Timers::now() - now;
         ++solves;
-        outer += simulation.solution().iterations;
-        pcg += simulation.solution().pcgTotal + simulation.solution().auxiliary.pcg;
+        outer += coupled.solution().iterations;
+        pcg += coupled.solution().pcgTotal + coupled.solution().auxiliary.pcg;
         const double misfit = gas.pressure(way) - pressure;
         if (std::abs(misfit) <= 1e-7 * gas.air || solves == 50) break;
         if (solves > 1) relaxation *= before / (before - misfit);
         before = misfit;
         pressure += relaxation * misfit;
       }
-      simulation.verify();
+      coupled.verify();
       worst = std::max(worst, std::abs(way - exactWay(gas)) / exactWay(gas));
       int closed = 0;
-      for (const PairResult& pair : simulation.solution().pairs) closed += pair.state.closed();
+      for (const PairResult& pair : coupled.solution().pairs) closed += pair.state.closed();
       if (prints)
         std::printf("%4d  %.2f  %8.1f  %.6f  %6d  %6d  %5d  %3d  %.3f\n", step, amount, pressure, way, closed, solves, outer, pcg,
                     seconds / (step == 1 ? solves - 1 : solves) / first);
-      if (simulation.ending() != ExitCode::Done) {
-        if (prints) std::fprintf(stderr, "%s\n", simulation.solution().failure.c_str());
-        return static_cast<int>(simulation.ending());
+      if (coupled.ending() != ExitCode::Done) {
+        if (prints) std::fprintf(stderr, "%s\n", coupled.solution().failure.c_str());
+        return static_cast<int>(coupled.ending());
       }
     }
     if (prints) std::printf("largest error of the way: %.1e\n", worst);

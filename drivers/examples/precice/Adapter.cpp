@@ -5,7 +5,7 @@
 #include <Tpetra_Core.hpp>
 #include <precice/precice.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/simulation/Simulation.hpp>
+#include <suture/simulation/CoupledScene.hpp>
 
 #include <cstdio>
 
@@ -20,13 +20,13 @@ int main(int argc, char* argv[]) {
   }
   const std::string mesh = argv[4];
   try {
-    Simulation simulation(comm, sceneOf(readScene(*comm, argv[1], sceneSchema(), {argv + 6, argv + argc})));
+    CoupledScene coupled(comm, sceneOf(readScene(*comm, argv[1], sceneSchema(), {argv + 6, argv + argc})));
     precice::Participant participant(argv[3], argv[2], comm->getRank(), comm->getSize());
 
-    const CouplingSurface surface = simulation.coupling(argv[5]);
+    const CouplingSurface surface = coupled.surface(argv[5]);
     std::vector<precice::VertexID> ids(surface.nodes.size());
     participant.setMeshVertices(mesh, surface.coordinates, ids);
-    if (participant.requiresInitialData()) participant.writeData(mesh, "Displacement", ids, simulation.displacements(surface));
+    if (participant.requiresInitialData()) participant.writeData(mesh, "Displacement", ids, coupled.displacements(surface));
     participant.initialize();
 
     std::vector<double> forces(surface.coordinates.size());
@@ -34,15 +34,15 @@ int main(int argc, char* argv[]) {
       participant.requiresWritingCheckpoint();  // no state to save: an iteration only leaves the initial guess of the next one
       const double step = participant.getMaxTimeStepSize();
       participant.readData(mesh, "Force", ids, step, forces);
-      simulation.setForces(surface, forces);
-      simulation.solveAgain();
-      if (simulation.ending() != ExitCode::Done) throw NumericalError(simulation.solution().failure);
-      participant.writeData(mesh, "Displacement", ids, simulation.displacements(surface));
+      coupled.setForces(surface, forces);
+      coupled.solve();
+      if (coupled.ending() != ExitCode::Done) throw NumericalError(coupled.solution().failure);
+      participant.writeData(mesh, "Displacement", ids, coupled.displacements(surface));
       participant.advance(step);
-      if (!participant.requiresReadingCheckpoint()) simulation.advance();  // the time window is complete: keep the slip of friction
+      if (!participant.requiresReadingCheckpoint()) coupled.advance();  // the time window is complete: keep the slip of friction
     }
     participant.finalize();
-    return static_cast<int>(simulation.ending());
+    return static_cast<int>(coupled.ending());
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return static_cast<int>(error.code());

@@ -59,6 +59,4 @@ class Hdf5Writer {
   std::unique_ptr<Impl> impl_;
 };
 
-using Hdf5File = Hdf5Writer;  // its name in simulation/CutStage
-
 }  // namespace suture

@@ -1,0 +1,219 @@
+#include <suture/base/Collective.hpp>
+#include <suture/report/Figures.hpp>
+#include <suture/report/Report.hpp>
+#include <suture/report/answers/Answers.hpp>
+#include <suture/simulation/PathFollower.hpp>
+#include <suture/simulation/StepLength.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace suture {
+namespace {
+
+constexpr double kSameTime = 1e-9;  // fraction of a step: a time nearer to its end is the end
+constexpr double kEasy = 0.5;       // fraction of the largest change, below which the next step is longer
+constexpr double kSudden = 0.9;     // fraction of the changes of a step found in its half that marks a sudden change
+// Part of the largest change that the next step is planned for: pairs that slip pass their load on, so that more change than predicted. Not
+// critical: with .5, .75, 1 and without plan a fault needs 502, 646, 588, 696 iterations of conjugate gradients, a stick-slip cycle 1,534,
+// 1,440, 1,555, 1,551, a pad that is unloaded 222, 230, 177, 435.
+constexpr double kPlanned = 0.5;
+constexpr double kWork = 100.0;  // allowed imbalance of work, in accuracies of a solution
+
+std::string timeText(double time) {
+  std::ostringstream text;
+  text << "t = " << time;
+  return text.str();
+}
+
+std::string stoppedAfter(double time) { return "stopped on request, after " + timeText(time); }
+
+}  // namespace
+
+PathFollower::PathFollower(SceneParts& parts, RepeatedSolver& solver, PathState restart)
+    : parts_(parts), solver_(solver), restart_(std::move(restart)), meter_(*parts.run.commPtr()) {}
+
+/// The verified solution at the time of the path; any failure makes it not converged, with the reason. Parameters as of
+/// RepeatedSolver::solve().
+Solution PathFollower::solveStep(const Solution* before, bool isPrepared) {
+  Solution solution;
+  brokeDown_ = false;
+  try {
+    solution = solver_.solve(before, isPrepared);
+    if (solution.converged) judgeSolution(parts_, solver_.method().subdomains(), solution);
+  } catch (const NumericalError& error) {
+    brokeDown_ = true;
+    solution.converged = false;
+    solution.failure = error.what();
+  }
+  return solution;
+}
+
+/// States of the pairs at the end of the last step, if there is friction: few sticking pairs indicate that a body begins to slide.
+std::string PathFollower::lastStates() const {
+  if (path().rows.empty() || !scene().laws.restrictSliding()) return "";
+  const StepRow& last = path().rows.back();
+  return "; at " + timeText(last.time) + " " + std::to_string(last.sticking) + " of " + std::to_string(last.active) +
+         " closed pairs stick and " + std::to_string(last.slipping) + " slip";
+}
+
+/// Continues the path of a checkpoint. \param before  receives the solution of its last step
+void PathFollower::goOnFromStart(Solution& before) {
+  path().goOnFrom(restart_);
+  before.displacement = solver_.start()->displacement;
+  before.converged = true;
+  std::vector<PairForce> forces;
+  const auto state = [&](int pair) {
+    const auto found = solver_.start()->status.find(pair);
+    return found != solver_.start()->status.end() ? found->second : ContactState();
+  };
+  if (comm().getRank() == 0)
+    for (const PathState::Pair& pair : restart_.pairs) forces.push_back({pair.id, state(pair.id), pair.force, pair.tangential});
+  path().setTime(path().time(), scene().model, parts_.cut.meshes, parts_.constraints);
+  std::vector<const SubdomainMesh*> meshes;
+  for (const SubdomainMesh& mesh : parts_.cut.meshes) meshes.push_back(&mesh);
+  before.pairs = pairResults(comm(), meshes, before.displacement, forces);
+  before.energy = path().rows.back().energy;
+  const double tolerance = requestedAccuracy(scene().settings(), before);
+  meter_.goOnFrom({parts_.cut.meshes, scene().model, before.displacement, before.pairs, parts_.cut.whole.pieces, tolerance},
+                  path().rows.back().work);
+  monitor().note("continues at " + timeText(path().time()) + ", after load step " + std::to_string(path().rows.size()));
+}
+
+/// Accepts a step and writes its row, work, fields and checkpoint.
+void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRow row) {
+  const double tolerance = requestedAccuracy(scene().settings(), solution);
+  timed(timers(), "verify", [&] {
+    meter_.add({parts_.cut.meshes, scene().model, solution.displacement, solution.pairs, parts_.cut.whole.pieces, tolerance});
+  });
+  row.work = meter_.work();
+  row.residual = solution.residual;
+  row.energy = solution.energy;
+  row.changed = before ? changedPairs(before->pairs, solution.pairs) : 0;
+  const ContactFigures figures = contactFigures(solution, parts_.size.pieces);
+  int states[] = {row.changed, figures.active, figures.friction.sticking, figures.friction.slipping};
+  broadcastBytes(comm(), states, sizeof states);
+  row.changed = states[0];
+  row.active = states[1];
+  row.sticking = states[2];
+  row.slipping = states[3];
+  if (comm().getRank() == 0)
+    for (const ContactResultant& line :
+         contactResultants(solution.pairs, static_cast<int>(scene().contacts.size()), scene().model.axisymmetric))
+      row.forceOnB.push_back(line.onB.force);
+  doubts_.add(solution.verification, ", " + timeText(row.time));
+  solution.verification.checks.push_back(
+      {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
+  path().accept(solution.pairs, solution.verification.forces);
+  path().rows.push_back(row);
+  monitor().endStep(row);
+  if (!parts_.run.writes()) return;
+  timed(timers(), "write", [&] {
+    if (wantsFields(scene().settings())) writeStepFields(runOf(parts_, solution), path().rows);
+    collectivelyOnRoot(comm(), "writing steps.csv", [&] {
+      writeSteps(path().rows, scene().contacts, (std::filesystem::path(parts_.run.folder()) / "steps.csv").string());
+    });
+    writeState(parts_, solution);
+  });
+}
+
+Solution PathFollower::follow() {
+  const std::vector<double>& times = scene().steps.times();
+  Solution before;
+  bool hasBefore = !restart_.empty();
+  path().length = std::numeric_limits<double>::infinity();
+  if (hasBefore) goOnFromStart(before);
+  if (path().time() >= times.back())
+    throw InputError("Load Steps/Times", "the checkpoint is at " + timeText(path().time()) + ", but the last step ends at " +
+                                             timeText(times.back()) + "; expected a later end");
+  if (parts_.run.writes())
+    collectivelyOnRoot(comm(), "removing fields of an earlier run", [&] { removeStepFields(parts_.run.folder(), path().rows.size()); });
+  Solution total;  // counts of all steps
+  StepRow row;
+  bool isPrepared = !hasBefore;
+  int changedFirst = 0, changedBefore = 0;  // pairs, in the last two trials of the step
+  double began = Timers::now();
+  for (auto target = std::upper_bound(times.begin(), times.end(), path().time()); target != times.end();) {
+    const double segment = target == times.begin() ? 0.0 : *(target - 1), whole = *target - segment, begin = path().time();
+    const bool isLast = begin + path().length >= *target - kSameTime * whole;
+    const double time = isLast ? *target : begin + path().length, length = time - begin;
+    monitor().beginStep(static_cast<int>(path().rows.size()) + 1);
+    path().setTime(time, scene().model, parts_.cut.meshes, parts_.constraints);
+    Solution solution = solveStep(hasBefore ? &before : nullptr, isPrepared);
+    isPrepared = false;
+    row.outer += solution.iterations;
+    row.pcg += solution.pcgTotal + solution.auxiliary.pcg;
+    const bool isSolved = solution.isValid();
+    const int stop = solution.stopped || monitor().stopRequested();
+    int anyStop = 0, changed = isSolved && hasBefore ? changedWithin(before.pairs, solution.pairs) : 0;
+    Teuchos::reduceAll(comm(), Teuchos::REDUCE_MAX, stop, Teuchos::outArg(anyStop));
+    broadcastBytes(comm(), &changed, sizeof changed);
+    const double allowed = scene().laws.restrictSliding() ? scene().steps.largestChange() * parts_.size.pairs : parts_.size.pairs;
+    // If half the step changes as many pairs (a body begins to slide), they change at once, and no step is short enough.
+    const bool isSudden = isSolved && changed >= kSudden * changedBefore && changedBefore >= kSudden * changedFirst && changedFirst > 0;
+    const bool isTooLong = (!isSolved && anyStop == 0) || (changed > allowed && !isSudden);
+    changedFirst = std::exchange(changedBefore, changed);
+    if (isTooLong && length / 2 >= whole * std::pow(0.5, scene().steps.halvings()) * (1.0 - kSameTime)) {
+      path().length = length / 2;
+      ++row.givenUp;
+      continue;
+    }
+    if (!isSolved) {
+      unfinished_ = anyStop ? stoppedAfter(begin)
+                            : "load step " + std::to_string(path().rows.size() + 1) + ", to " + timeText(time) + ": " + solution.failure +
+                                  lastStates();
+      if (!hasBefore && brokeDown_) throw NumericalError(unfinished_);  // no solution to report
+      if (!hasBefore) before = std::move(solution);
+      break;
+    }
+    row.step = static_cast<int>(path().rows.size()) + 1;
+    row.time = time;
+    row.length = length;
+    row.seconds = Timers::now() - began;
+    began = Timers::now();
+    if (changed <= kEasy * allowed) path().length *= 2;
+    if (path().length >= whole) path().length = std::numeric_limits<double>::infinity();
+    acceptStep(solution, hasBefore ? &before : nullptr, row);
+    total.iterations += row.outer;
+    total.pcgTotal += row.pcg;
+    total.otherApplications += solution.otherApplications;
+    row = StepRow();
+    changedFirst = changedBefore = 0;
+    if (hasBefore && !isLast && begin >= segment && scene().laws.restrictSliding()) {
+      double planned = predictedLength(before.pairs, solution.pairs, length, std::max(1, static_cast<int>(std::ceil(kPlanned * allowed))));
+      broadcastBytes(comm(), &planned, sizeof planned);
+      path().length = std::min(path().length, std::max(planned, whole * std::pow(0.5, scene().steps.halvings())));
+    }
+    before = std::move(solution);
+    hasBefore = true;
+    if (isLast) ++target;
+    if (anyStop && target != times.end()) {
+      unfinished_ = stoppedAfter(time);
+      break;
+    }
+  }
+  Solution result = std::move(before);
+  if (!path().rows.empty()) {
+    result.iterations = total.iterations;
+    result.pcgTotal = total.pcgTotal;
+    result.otherApplications = total.otherApplications;
+    path().setTime(path().time(), scene().model, parts_.cut.meshes, parts_.constraints);
+  }
+  if (unfinished_.empty() && !result.verification.holds()) result.failure = "the verdict does not hold: " + result.verification.failure();
+  if (unfinished_.empty()) return result;
+  result.stopped = unfinished_.rfind("stopped", 0) == 0;
+  result.converged = false;
+  result.failure = unfinished_;
+  return result;
+}
+
+}  // namespace suture

@@ -1,0 +1,32 @@
+#pragma once
+#include <suture/simulation/SceneParts.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace suture {
+
+/// Solves a scene again and again while its loads, prescribed displacements and pair histories change. Factors are kept, except by methods
+/// that cannot reload.
+class RepeatedSolver {
+ public:
+  /// \param parts  must outlive it \param method  prepared \param start  initial guess of the first solution
+  RepeatedSolver(SceneParts& parts, std::unique_ptr<Method> method, std::optional<Start> start)
+      : parts_(parts), method_(std::move(method)), start_(std::move(start)) {}
+
+  /// The solution for the present loads. Collective. \param before  initial guess; null: the start \param isPrepared  the method is
+  /// prepared for these loads
+  Solution solve(const Solution* before, bool isPrepared);
+
+  const Method& method() const { return *method_; }
+  /// Hands the method over; no solution afterwards.
+  std::unique_ptr<Method> takeMethod() { return std::move(method_); }
+  const std::optional<Start>& start() const { return start_; }
+
+ private:
+  SceneParts& parts_;
+  std::unique_ptr<Method> method_;  // null after a method that cannot reload broke down while it was prepared
+  std::optional<Start> start_;
+};
+
+}  // namespace suture

@@ -1,0 +1,72 @@
+#include <suture/base/Collective.hpp>
+#include <suture/simulation/JudgeStage.hpp>
+#include <suture/simulation/SceneParts.hpp>
+
+#include <filesystem>
+
+namespace suture {
+
+CutScene SceneParts::forMethod(bool changes) const {
+  const bool needsLaw = !scene.model.exact.empty() || wantsErrorEstimate(scene.settings());
+  return {run.commPtr(),    mesh,        constraints,    cut.partition, cut.meshes, scene.model,
+          scene.settings(), scene.kinds, scene.contacts, scene.laws,    needsLaw,   changes};
+}
+
+std::unique_ptr<Method> preparedMethod(const SceneParts& parts, std::unique_ptr<Method> method, bool changes) {
+  if (!method) method = makeMethod(parts.scene.settings(), !parts.scene.contacts.empty());
+  method->prepare(parts.forMethod(changes), parts.run.timers());
+  return method;
+}
+
+Start startOf(const Comm& comm, const Solution& solution) {
+  struct PairStatusOf {
+    int id;
+    ContactState state;
+  };
+  std::vector<PairStatusOf> states;
+  for (const PairResult& pair : solution.pairs) states.push_back({pair.id, pair.state});
+  broadcast(comm, states);
+  Start start{solution.displacement, {}};
+  for (const PairStatusOf& pair : states) start.status[pair.id] = pair.state;
+  return start;
+}
+
+void judgeSolution(SceneParts& parts, const Subdomains& subdomains, Solution& solution) {
+  const Comm& comm = parts.run.comm();
+  Timers& timers = parts.run.timers();
+  std::vector<SubdomainMesh>& meshes = parts.cut.meshes;
+  const std::vector<ContactPiece>& pieces = parts.cut.whole.pieces;
+  const Scene& scene = parts.scene;
+  const LoadPath* path = parts.path.get();
+  timed(timers, "verify", [&] { settleMotions(comm, meshes, pieces, scene, path, solution, parts.run.monitor()); });
+  findErrors(comm, meshes, scene, solution, timers);
+  timed(timers, "verify", [&] { verifySolution(comm, meshes, pieces, subdomains, scene, path, solution); });
+  timed(timers, "verify", [&] { findAnswers(comm, meshes, scene, solution); });
+}
+
+Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& invocation) {
+  return {parts.run.comm(),
+          parts.scene.file,
+          parts.scene.model,
+          parts.cut.whole.pieces,
+          parts.cut.meshes,
+          parts.size,
+          solution,
+          parts.run.monitor(),
+          parts.run.timers(),
+          parts.cut.whole.hash,
+          invocation,
+          parts.run.folder(),
+          parts.cut.whole.conditions,
+          parts.scene.contacts,
+          parts.path ? parts.path->rows : std::vector<StepRow>()};
+}
+
+void writeState(const SceneParts& parts, const Solution& solution) {
+  writeCheckpoint(parts.run.comm(), checkpointIn(parts.run.folder()), parts.cut.whole.hash, parts.cut.meshes, solution,
+                  parts.followsPath() ? parts.path->state(solution.pairs) : PathState());
+}
+
+std::string checkpointIn(const std::string& folder) { return (std::filesystem::path(folder) / "checkpoint.h5").string(); }
+
+}  // namespace suture

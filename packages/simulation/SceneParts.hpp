@@ -1,0 +1,58 @@
+#pragma once
+#include <suture/report/Run.hpp>
+#include <suture/simulation/CutStage.hpp>
+#include <suture/simulation/LoadPath.hpp>
+#include <suture/simulation/RunContext.hpp>
+#include <suture/simulation/Scene.hpp>
+#include <suture/solver/Method.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A scene cut into subdomains, which all later stages of a run share. Stays at one place in memory: methods and load paths refer to it.
+struct SceneParts {
+  SceneParts(RunContext context, Scene given) : run(std::move(context)), scene(std::move(given)) {}
+  SceneParts(const SceneParts&) = delete;
+  SceneParts& operator=(const SceneParts&) = delete;
+
+  RunContext run;
+  Scene scene;
+  bool isWhole = true;      ///< rank 0 has the whole mesh until the method is prepared
+  Mesh mesh{};              ///< on rank 0
+  Constraints constraints;  ///< likewise
+  CutMesh cut{};
+  ProblemSize size{};
+  std::unique_ptr<LoadPath> path{};  ///< null: neither load steps nor coupling
+  double megabytes = 0.0;            ///< memory for all ranks, estimated
+  double liftWork = 0.0;             ///< work of the loads in the rigid motions removed, missing in the energies of the method
+
+  /// True if the scene has load steps, all of which are requested.
+  bool followsPath() const { return !scene.steps.empty() && path && !scene.isOneStep; }
+  /// The scene as input of its method. \param changes  loads and prescribed values change between solutions
+  CutScene forMethod(bool changes) const;
+};
+
+/// Assembles and factors the method of a scene. \param method  of the scene, or null: a new one \param changes  see forMethod()
+/// Collective.
+std::unique_ptr<Method> preparedMethod(const SceneParts& parts, std::unique_ptr<Method> method, bool changes);
+
+/// Initial guess for the next loads: a solution of this scene. Collective.
+Start startOf(const Comm& comm, const Solution& solution);
+
+/// Settles undetermined motions, adds errors, verdict and extremes to a solution. Collective.
+/// \param subdomains  as in verifySolution()
+void judgeSolution(SceneParts& parts, const Subdomains& subdomains, Solution& solution);
+
+/// The run of a solution, for reports. \param rows  load steps so far
+Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& invocation = {});
+
+/// Path of the checkpoint in an output folder.
+std::string checkpointIn(const std::string& folder);
+
+/// Writes a solution to the checkpoint of the output folder. Collective.
+void writeState(const SceneParts& parts, const Solution& solution);
+
+}  // namespace suture

@@ -1,0 +1,219 @@
+#include <suture/answer/error/ExactErrors.hpp>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/elasticity/LockingNotes.hpp>
+#include <suture/elasticity/loads/LoadList.hpp>
+#include <suture/elasticity/loads/ResolveLoads.hpp>
+#include <suture/motion/TakeOutLift.hpp>
+#include <suture/report/Checkpoint.hpp>
+#include <suture/report/Report.hpp>
+#include <suture/report/Summary.hpp>
+#include <suture/report/answers/Probes.hpp>
+#include <suture/report/answers/SingularNotes.hpp>
+#include <suture/simulation/JudgeStage.hpp>
+#include <suture/simulation/LoadControl.hpp>
+#include <suture/simulation/NestedLevels.hpp>
+#include <suture/simulation/PathFollower.hpp>
+#include <suture/simulation/ReadStage.hpp>
+#include <suture/simulation/Stages.hpp>
+#include <suture/solver/MemoryEstimate.hpp>
+#include <suture/solver/SolverSchema.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <filesystem>
+
+namespace suture {
+
+MeshedScene read(RunContext run, Scene scene) {
+  MeshedScene result;
+  result.parts_ = std::make_unique<SceneParts>(std::move(run), std::move(scene));
+  SceneParts& parts = *result.parts_;
+  result.method_ = makeMethod(parts.scene.settings(), !parts.scene.contacts.empty());
+  parts.isWhole = result.method_->needsWholeMesh() || !isCut(parts.scene);
+  if (!parts.isWhole) return result;
+  timed(parts.run.timers(), "read", [&] {
+    parts.mesh = readBodies(parts.run.comm(), parts.scene);
+    parts.constraints = readConstraints(parts.run.comm(), parts.mesh, parts.scene);
+  });
+  return result;
+}
+
+PartitionedScene cut(MeshedScene meshed) {
+  PartitionedScene result(std::move(meshed));
+  SceneParts& parts = *result.parts_;
+  const Comm& comm = parts.run.comm();
+  parts.cut = timed(parts.run.timers(), "partition", [&] { return cutMesh(comm, parts.scene, parts.mesh, parts.constraints); });
+  parts.size = parts.cut.whole.size;
+  resolveLoads(comm, parts.cut.meshes, parts.scene.model);
+  if (parts.scene.steps.empty()) return result;
+  parts.path = std::make_unique<LoadPath>(comm, parts.scene.steps, parts.cut.whole.prescribed);
+  parts.path->setTime(parts.scene.steps.times().front(), parts.scene.model, parts.cut.meshes, parts.constraints);
+  return result;
+}
+
+CheckedScene check(PartitionedScene partitioned) {
+  SceneParts& parts = *partitioned.parts_;
+  const Comm& comm = parts.run.comm();
+  const Scene& scene = parts.scene;
+  timed(parts.run.timers(), "partition", [&] {
+    checkElements(comm, parts.cut.meshes, scene.model);
+    if (parts.isWhole) checkSolvability(comm, parts.mesh, parts.constraints, scene.model, parts.cut.partition);
+  });
+  OverlapNotes overlaps = timed(parts.run.timers(), "partition", [&] { return OverlapNotes(comm, parts.cut.meshes, scene); });
+  locateProbes(comm, parts.cut.meshes, scene.model.bodies, readProbes(scene.settings(), scene.model.bodies));
+  checkExactSolution(comm, parts.cut.meshes, scene.model, scene.settings().sublist("Contact"));
+  const double limit = scene.settings().sublist("Subdomain").get<double>("Memory Limit");
+  parts.megabytes = checkMemory(comm, partitioned.method_->megabytes(comm, parts.cut.meshes, parts.size.dofs), limit);
+  return {std::move(partitioned), std::move(overlaps)};
+}
+
+PreparedScene prepare(CheckedScene checked) {
+  PreparedScene result(std::move(checked));
+  result.prepareMethod();
+  return result;
+}
+
+void PreparedScene::prepareMethod() {
+  SceneParts& parts = *parts_;
+  Scene& scene = parts.scene;
+  Timers& timers = parts.run.timers();
+  if (hasControlledLoads(scene))
+    timed(timers, "control", [&] { controlLoads(parts.run.commPtr(), scene, parts.cut.meshes, parts.run.monitor()); });
+  if (!parts.path)
+    parts.liftWork = timed(timers, "partition", [&] {
+      return takeOutLift(parts.run.comm(), scene.model, parts.cut.meshes, parts.constraints, !scene.laws.restrictSliding());
+    });
+  parts.run.monitor().shiftEnergy(-parts.liftWork);
+  if (!method_->needsWholeMesh()) forget(parts.mesh, parts.constraints, parts.cut.partition);
+  const bool isCoupled = scene.steps.empty() && parts.path;
+  method_ = preparedMethod(parts, std::move(method_), parts.followsPath() || isCoupled);
+  parts.size.interfaceDofs = method_->interfaceUnknowns();
+}
+
+void PreparedScene::remark() const {
+  RunMonitor& monitor = parts_->run.monitor();
+  const auto add = [&](const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) monitor.note(note);
+  };
+  const Scene& scene = parts_->scene;
+  add(scene.file.notes);
+  add(parts_->cut.partition.notes);
+  add(lockingNotes(scene.model));
+  add(loadNotes(scene.model));
+  add(looseTolerances(scene.settings()));
+  add(overlaps_.drawn(scene));
+}
+
+void PreparedScene::startFrom(const std::string& restart) {
+  SceneParts& parts = *parts_;
+  if (!restart.empty())
+    start_ = readCheckpoint(parts.run.comm(), restart, parts.cut.whole.hash, parts.cut.meshes, &restart_);
+  else if (!parts.scene.levels.empty() && method_->takesStart())
+    start_ = startFromLevels(parts.run.commPtr(), parts.scene, parts.cut.meshes, parts.run.monitor());
+  else if (method_->takesStart() && parts.scene.settings().sublist("Outer Solver").get<std::string>("Start") == "Nested")
+    throw InputError("Outer Solver/Start", "Nested, but the scene has no coarser levels (Scene::levels)");
+}
+
+namespace {
+
+/// Writes checkpoints as often as the settings request.
+Method::Keep checkpoints(const SceneParts& parts) {
+  const double every = 60.0 * parts.scene.settings().sublist("Output").get<double>("Checkpoint Every");
+  if (every <= 0.0 || !parts.run.writes()) return {};
+  return [&parts, every, last = Timers::now()](const std::function<Solution()>& solution) mutable {
+    const Comm& comm = parts.run.comm();
+    int due = comm.getRank() == 0 && Timers::now() - last >= every;
+    broadcastBytes(comm, &due, sizeof due);
+    if (due == 0) return;
+    writeState(parts, solution());
+    last = Timers::now();
+  };
+}
+
+}  // namespace
+
+SolvedScene solve(PreparedScene prepared) {
+  std::optional<Start> start = std::move(prepared.start_);
+  PathState restart = std::move(prepared.restart_);
+  SolvedScene result(std::move(prepared));
+  if (result.parts_->followsPath())
+    result.followPath(std::move(start), std::move(restart));
+  else
+    result.solveAtOnce(start);
+  return result;
+}
+
+void SolvedScene::solveAtOnce(const std::optional<Start>& start) {
+  const RunContext& run = parts_->run;
+  solution_ = method_->solve(run.monitor(), run.timers(), start ? &*start : nullptr, checkpoints(*parts_));
+  solution_.energy -= parts_->liftWork;
+}
+
+void SolvedScene::followPath(std::optional<Start> start, PathState restart) {
+  RepeatedSolver solver(*parts_, std::move(method_), std::move(start));
+  PathFollower follower(*parts_, solver, std::move(restart));
+  solution_ = follower.follow();
+  method_ = solver.takeMethod();
+  doubts_ = follower.doubts();
+  unfinished_ = follower.unfinished();
+  isJudged_ = !parts_->path->rows.empty();  // step by step
+}
+
+JudgedScene judge(SolvedScene solved) {
+  SceneParts& parts = *solved.parts_;
+  Solution& solution = solved.solution_;
+  const Comm& comm = parts.run.comm();
+  const Subdomains subdomains = solved.method_ ? solved.method_->takeSubdomains() : Subdomains();
+  solved.method_.reset();
+  if (!solved.isJudged_) judgeSolution(parts, subdomains, solution);
+  // Once per run: load steps and coupled solves share the mesh.
+  estimateMesh(comm, parts.cut.meshes, subdomains, parts.scene, parts.path.get(), solution, parts.run.timers());
+  const std::vector<ContactPiece>& pieces = parts.cut.whole.pieces;
+  const auto add = [&](const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) parts.run.monitor().note(note);
+  };
+  add(meshNotes(solution));
+  add(pressureNotes(comm, pieces, solution));
+  add(plausibilityNotes(comm, parts.cut.meshes, parts.scene.model, pieces, solution));
+  if (!parts.followsPath()) solved.doubts_.add(solution.verification);
+  add(solved.doubts_.warnings());
+  if (solution.converged)
+    add(timed(parts.run.timers(), "verify", [&] { return solved.overlaps_.added(comm, parts.scene, solution.displacement); }));
+  add(singularNotes(comm, parts.cut.meshes, solution));
+  return JudgedScene(std::move(solved));
+}
+
+ExitCode endingOf(const Solution& solution, const std::string& unfinished) {
+  return unfinished.empty() && solution.isValid() ? ExitCode::Done : solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
+}
+
+ExitCode JudgedScene::ending() const { return endingOf(solution_, unfinished_); }
+
+std::string JudgedScene::summary(const Invocation& invocation) const {
+  const Run run = runOf(*parts_, solution_, invocation);
+  return summaryText(run, runFigures(run), ending());
+}
+
+RunResult JudgedScene::report(const Invocation& invocation) const {
+  const RunContext& context = parts_->run;
+  if (!context.writes()) throw InternalError("report() without an output folder: call RunContext::writeInto() first");
+  giveBackFreedMemory();  // for the files
+  const ExitCode code = ending();
+  const Parameters& output = parts_->scene.settings().sublist("Output");
+  // First, because a stop request must be honoured before the remaining steps.
+  const bool isKept = parts_->followsPath() && !parts_->path->rows.empty();  // by the last step
+  if (!isKept && (code != ExitCode::Done || output.get<bool>("Checkpoint"))) writeState(*parts_, solution_);
+  const Run run = runOf(*parts_, solution_, invocation);
+  const Written written = writeReport(run, code);
+  if (!isKept && code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 &&
+      context.comm().getRank() == 0) {
+    std::error_code ignored;
+    std::filesystem::remove(checkpointIn(context.folder()), ignored);
+  }
+  if (std::ostream* console = context.monitor().console()) printFooter(*console, run, written.figures);
+  return {code, solution_.failure, written.summary};
+}
+
+}  // namespace suture
