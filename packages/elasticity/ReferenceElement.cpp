@@ -1,22 +1,11 @@
-// The only source that includes Intrepid2.
+// The only source that includes Intrepid2, for its quadrature rules.
 #include <Intrepid2_DefaultCubatureFactory.hpp>
-#include <Intrepid2_HGRAD_HEX_C1_FEM.hpp>
-#include <Intrepid2_HGRAD_HEX_C2_FEM.hpp>
-#include <Intrepid2_HGRAD_PYR_C1_FEM.hpp>
-#include <Intrepid2_HGRAD_QUAD_C1_FEM.hpp>
-#include <Intrepid2_HGRAD_QUAD_C2_FEM.hpp>
-#include <Intrepid2_HGRAD_TET_C1_FEM.hpp>
-#include <Intrepid2_HGRAD_TET_C2_FEM.hpp>
-#include <Intrepid2_HGRAD_TRI_C1_FEM.hpp>
-#include <Intrepid2_HGRAD_TRI_C2_FEM.hpp>
-#include <Intrepid2_HGRAD_WEDGE_C1_FEM.hpp>
 #include <Kokkos_Core.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <suture/base/Errors.hpp>
-#include <suture/base/Point.hpp>
 #include <suture/elasticity/ReferenceElement.hpp>
 #include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/mesh/SideGeometry.hpp>
@@ -25,46 +14,35 @@ namespace suture {
 namespace {
 
 using Device = Kokkos::Device<Kokkos::DefaultHostExecutionSpace, Kokkos::HostSpace>;
-using Basis = Intrepid2::Basis<Device, double, double>;
 using Values = Kokkos::DynRankView<double, Device>;
 
-struct Shape {
-  Teuchos::RCP<Basis> basis;
-  shards::CellTopology topology;
-  Cell whole;  // the cell with the complete basis
-};
-
-template <typename OneBasis, typename Topology>
-Shape shapeOf(Cell whole) {
-  return {Teuchos::rcp(new OneBasis), shards::CellTopology(shards::getCellTopologyData<Topology>()), whole};
+template <typename Topology>
+shards::CellTopology topologyOf() {
+  return shards::CellTopology(shards::getCellTopologyData<Topology>());
 }
 
-Shape shapeOf(Cell cell) {
+shards::CellTopology topologyOf(Cell cell) {
   switch (cell) {
     case Cell::Triangle3:
-      return shapeOf<Intrepid2::Basis_HGRAD_TRI_C1_FEM<Device, double, double>, shards::Triangle<3>>(cell);
     case Cell::Triangle6:
-      return shapeOf<Intrepid2::Basis_HGRAD_TRI_C2_FEM<Device, double, double>, shards::Triangle<3>>(cell);
+      return topologyOf<shards::Triangle<3>>();
     case Cell::Quadrilateral4:
-      return shapeOf<Intrepid2::Basis_HGRAD_QUAD_C1_FEM<Device, double, double>, shards::Quadrilateral<4>>(cell);
     case Cell::Quadrilateral8:
     case Cell::Quadrilateral9:
-      return shapeOf<Intrepid2::Basis_HGRAD_QUAD_C2_FEM<Device, double, double>, shards::Quadrilateral<4>>(Cell::Quadrilateral9);
+      return topologyOf<shards::Quadrilateral<4>>();
     case Cell::Tetrahedron4:
-      return shapeOf<Intrepid2::Basis_HGRAD_TET_C1_FEM<Device, double, double>, shards::Tetrahedron<4>>(cell);
     case Cell::Tetrahedron10:
-      return shapeOf<Intrepid2::Basis_HGRAD_TET_C2_FEM<Device, double, double>, shards::Tetrahedron<4>>(cell);
+      return topologyOf<shards::Tetrahedron<4>>();
     case Cell::Hexahedron8:
-      return shapeOf<Intrepid2::Basis_HGRAD_HEX_C1_FEM<Device, double, double>, shards::Hexahedron<8>>(cell);
     case Cell::Hexahedron20:
     case Cell::Hexahedron27:
-      return shapeOf<Intrepid2::Basis_HGRAD_HEX_C2_FEM<Device, double, double>, shards::Hexahedron<8>>(Cell::Hexahedron27);
+      return topologyOf<shards::Hexahedron<8>>();
     case Cell::Wedge6:
-      return shapeOf<Intrepid2::Basis_HGRAD_WEDGE_C1_FEM<Device, double, double>, shards::Wedge<6>>(cell);
+      return topologyOf<shards::Wedge<6>>();
     case Cell::Pyramid5:
-      return shapeOf<Intrepid2::Basis_HGRAD_PYR_C1_FEM<Device, double, double>, shards::Pyramid<5>>(cell);
+      return topologyOf<shards::Pyramid<5>>();
   }
-  throw InternalError("no reference element for a cell of kind " + std::to_string(static_cast<int>(cell)));
+  throw InternalError("no quadrature for a cell of kind " + std::to_string(static_cast<int>(cell)));
 }
 
 // Degree of a rule of loads: for a shape function times the determinant of the map, in 2D times the radius.
@@ -95,122 +73,49 @@ int degreeOf(Cell cell, Rule rule) {
   throw InternalError("unknown quadrature rule");
 }
 
-struct Cubature {
-  Values points, weights;
-};
-
-Cubature cubatureOf(const shards::CellTopology& topology, int degree) {
-  const auto cubature = Intrepid2::DefaultCubatureFactory::create<Device, double, double>(topology, degree);
-  Cubature all{Values("points", cubature->getNumPoints(), cubature->getDimension()), Values("weights", cubature->getNumPoints())};
-  cubature->getCubature(all.points, all.weights);
-  return all;
-}
-
-void requireKokkos() {
+/// A table with the points and weights of a rule, without shape functions.
+ReferenceElement quadrature(const shards::CellTopology& topology, int degree, int nodes) {
   if (!Kokkos::is_initialized())
     throw InternalError("Kokkos is not initialised: programs that use elements need a Tpetra::ScopeGuard in main()");
-}
-
-// Basis number of each of a cell's nodes. The basis numbers edges and faces differently, but provides the node positions.
-std::vector<int> numbersIn(const Basis& basis, Cell cell) {
-  const int nodes = basis.getCardinality(), dimension = cellInfo(cell).dimension;
-  Values places("places", nodes, dimension);
-  basis.getDofCoords(places);
-  std::vector<int> numbers;
-  for (int a = 0; a < nodes; ++a) {
-    const Point wanted = referencePoint(cell, a);
-    for (int b = 0; b < nodes; ++b) {
-      double distance = 0.0;
-      for (int k = 0; k < dimension; ++k) distance += std::abs(places(b, k) - wanted[k]);
-      if (distance < 1e-12) numbers.push_back(b);
-    }
-  }
-  if (static_cast<int>(numbers.size()) != nodes) throw InternalError("the basis of " + cellInfo(cell).name + " has different nodes");
-  return numbers;
-}
-
-ReferenceElement tabulate(const Shape& shape, const Values& points, const Values& weights) {
-  const std::vector<int> numbers = numbersIn(*shape.basis, shape.whole);
-  const int nodes = static_cast<int>(numbers.size()), count = static_cast<int>(points.extent(0));
-  const int dimension = cellInfo(shape.whole).dimension;
-  Values values("values", nodes, count), gradients("gradients", nodes, count, dimension);
-  shape.basis->getValues(values, points, Intrepid2::OPERATOR_VALUE);
-  shape.basis->getValues(gradients, points, Intrepid2::OPERATOR_GRAD);
+  const auto cubature = Intrepid2::DefaultCubatureFactory::create<Device, double, double>(topology, degree);
   ReferenceElement table;
   table.nodes = nodes;
-  table.points = count;
-  table.dimension = dimension;
-  for (int q = 0; q < count; ++q) {
+  table.points = cubature->getNumPoints();
+  table.dimension = cubature->getDimension();
+  Values points("points", table.points, table.dimension), weights("weights", table.points);
+  cubature->getCubature(points, weights);
+  for (int q = 0; q < table.points; ++q) {
     table.weights.push_back(weights(q));
-    for (int k = 0; k < dimension; ++k) table.places.push_back(points(q, k));
-    for (const int a : numbers) {
-      table.values.push_back(values(a, q));
-      for (int k = 0; k < dimension; ++k) table.gradients.push_back(gradients(a, q, k));
+    for (int k = 0; k < table.dimension; ++k) table.places.push_back(points(q, k));
+  }
+  return table;
+}
+
+ReferenceElement makeElement(Cell cell, int degree) {
+  ReferenceElement table = quadrature(topologyOf(cell), degree, cellInfo(cell).nodes);
+  ShapeJet jets[kMostCellNodes];
+  for (int q = 0; q < table.points; ++q) {
+    ReferencePoint at{0, 0, 0};
+    std::copy_n(table.placeAt(q), table.dimension, at.begin());
+    shapeJets(cell, at, jets);
+    for (int a = 0; a < table.nodes; ++a) {
+      table.values.push_back(jets[a].value);
+      for (int k = 0; k < table.dimension; ++k) table.gradients.push_back(jets[a].gradient[k]);
     }
   }
   return table;
 }
 
-// The serendipity functions of 8 and 20 nodes lie in the span of the 9 and 27: S_a = N_a + sum of S_a(position of b) N_b over the nodes b
-// that the cell lacks. (Intrepid2 13.2 has no serendipity basis.)
-ReferenceElement serendipity(const ReferenceElement& all, Cell whole, Cell cell) {
-  ReferenceElement own = all;
-  own.nodes = cellInfo(cell).nodes;
-  own.values.clear();
-  own.gradients.clear();
-  const int dimension = all.dimension;
-  const auto share = [&](int a, int b) { return shapeFunction(cell, a, referencePoint(whole, b)); };
-  for (int q = 0; q < all.points; ++q)
-    for (int a = 0; a < own.nodes; ++a) {
-      double value = all.valuesAt(q)[a];
-      for (int b = own.nodes; b < all.nodes; ++b) value += share(a, b) * all.valuesAt(q)[b];
-      own.values.push_back(value);
-      for (int k = 0; k < dimension; ++k) {
-        double slope = all.gradientsAt(q)[dimension * a + k];
-        for (int b = own.nodes; b < all.nodes; ++b) slope += share(a, b) * all.gradientsAt(q)[dimension * b + k];
-        own.gradients.push_back(slope);
-      }
-    }
-  return own;
-}
-
-ReferenceElement makeElement(Cell cell, int degree) {
-  requireKokkos();
-  const Shape shape = shapeOf(cell);
-  const Cubature cubature = cubatureOf(shape.topology, degree);
-  const ReferenceElement table = tabulate(shape, cubature.points, cubature.weights);
-  return shape.whole == cell ? table : serendipity(table, shape.whole, cell);
-}
-
-// In 2D all our cells have the same trace on a side: that of the square on its side y = -1, with nodes 0, 1 and, for order 2, 4.
 ReferenceElement makeSide(int nodes, Rule rule) {
-  requireKokkos();
-  if (nodes != 2 && nodes != 3) throw InternalError("a side of " + std::to_string(nodes) + " nodes");
-  const Shape square = shapeOf(nodes == 2 ? Cell::Quadrilateral4 : Cell::Quadrilateral9);
   // A constant traction on a curved side has the square root of a polynomial in its integrand: uses two points more than a straight side.
   const int degree = (nodes == 2 ? 3 : 7) + (rule == Rule::Data ? 4 : 0);
-  const Cubature cubature = cubatureOf(shards::CellTopology(shards::getCellTopologyData<shards::Line<2>>()), degree);
-  const int count = static_cast<int>(cubature.weights.extent(0));
-  Values points("points", count, 2);
-  for (int q = 0; q < count; ++q) {
-    points(q, 0) = cubature.points(q, 0);
-    points(q, 1) = -1.0;
+  ReferenceElement table = quadrature(topologyOf<shards::Line<2>>(), degree, nodes);
+  for (int q = 0; q < table.points; ++q) {
+    const SideShape shape = sideShape(nodes, table.places[q]);
+    table.values.insert(table.values.end(), shape.value.begin(), shape.value.begin() + nodes);
+    table.gradients.insert(table.gradients.end(), shape.slope.begin(), shape.slope.begin() + nodes);
   }
-  const ReferenceElement whole = tabulate(square, points, cubature.weights);
-  ReferenceElement side;
-  side.nodes = nodes;
-  side.points = count;
-  side.dimension = 1;
-  side.weights = whole.weights;
-  const std::array<int, 3> onSide{0, 1, 4};
-  for (int q = 0; q < count; ++q) {
-    side.places.push_back(points(q, 0));
-    for (int a = 0; a < nodes; ++a) {
-      side.values.push_back(whole.valuesAt(q)[onSide[a]]);
-      side.gradients.push_back(whole.gradientsAt(q)[2 * onSide[a]]);
-    }
-  }
-  return side;
+  return table;
 }
 
 // A 3D side is a 2D cell. Squares are often curved or warped: uses more points, as above.

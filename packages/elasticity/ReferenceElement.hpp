@@ -9,8 +9,8 @@ namespace suture {
 template <int D>
 constexpr int mostNodes = D == 2 ? 9 : kMostCellNodes;
 
-/// Shape functions of a reference element, tabulated at the points of a quadrature rule. Created once per cell and rule from Intrepid2's
-/// bases and cubature, on first use; element loops need nothing else from Intrepid2.
+/// Shape functions of a reference element (mesh/ShapeFunctions), tabulated at the points of a quadrature rule of Intrepid2. Created once
+/// per cell and rule, on first use.
 struct ReferenceElement {
   int nodes = 0;
   int points = 0;

@@ -45,11 +45,11 @@ bool isSurelySound(const Mesh& mesh, int e) {
     for (std::size_t i = 0; i < edges.size(); ++i) away[k] = std::max(away[k], norm(minus(all[i], mean[k])));
     diameter += norm(mean[k]) + away[k];
   }
-  for (int i = info.vertices; i < info.nodes; ++i) {  // position in the element with straight sides
-    Point straight{0, 0, 0};
-    const ReferencePoint place = referencePoint(cell, i);
-    const Cell linear = simplex ? Cell::Tetrahedron4 : Cell::Hexahedron8;
-    for (int v = 0; v < info.vertices; ++v) straight = plus(straight, scaled(shapeFunction(linear, v, place), mesh.point(nodes[v])));
+  for (int i = info.vertices; i < info.nodes; ++i) {
+    Point straight{0, 0, 0};  // position in the element with straight sides
+    ShapeJet jets[kMostCellNodes];
+    shapeJets(simplex ? Cell::Tetrahedron4 : Cell::Hexahedron8, referencePoint(cell, i), jets);
+    for (int v = 0; v < info.vertices; ++v) straight = plus(straight, scaled(jets[v].value, mesh.point(nodes[v])));
     bow += norm(minus(mesh.point(nodes[i]), straight));
   }
   const double most =

@@ -10,14 +10,14 @@
 namespace suture {
 
 double smallestJacobian(const CellBlock& block, int element, Point* place) {
-  const Cell cell = block.cells[element];
   ReferencePoint where{0, 0, 0};
   const double least = leastJacobian(block, element, where);
   if (place) {
     *place = {0, 0, 0};
     const Span<const int> nodes = block.nodesOf(element);
-    for (int i = 0; i < static_cast<int>(nodes.size()); ++i)
-      for (int k = 0; k < block.dimension; ++k) (*place)[k] += shapeFunction(cell, i, where) * block.point(nodes[i])[k];
+    ShapeJet jets[kMostCellNodes];
+    shapeJets(block.cells[element], where, jets);
+    for (std::size_t i = 0; i < nodes.size(); ++i) *place = plus(*place, scaled(jets[i].value, block.point(nodes[i])));
   }
   return least;
 }

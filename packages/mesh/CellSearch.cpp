@@ -94,16 +94,16 @@ bool CellSearch::invert(int element, const Point& place, double most, Place& fou
   const bool isAffine = cell == Cell::Triangle3 || cell == Cell::Tetrahedron4;
   found.element = element;
   found.at = referenceCentre(cell);
+  ShapeJet jets[kMostCellNodes];
   for (int step = 0; step < kNewtonSteps; ++step) {
+    shapeJets(cell, found.at, jets);
     Point away{-place[0], -place[1], -place[2]}, correction;
     std::array<Point, 3> tangents{{{0, 0, 0}, {0, 0, 0}, {0, 0, block_.dimension == 2 ? 1.0 : 0.0}}};
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       const Point p = block_.point(nodes[a]);
-      const double value = shapeFunction(cell, static_cast<int>(a), found.at);
-      const ReferencePoint slope = shapeGradient(cell, static_cast<int>(a), found.at);
       for (int k = 0; k < block_.dimension; ++k) {
-        away[k] += value * p[k];
-        for (int j = 0; j < block_.dimension; ++j) tangents[j][k] += slope[j] * p[k];
+        away[k] += jets[a].value * p[k];
+        for (int j = 0; j < block_.dimension; ++j) tangents[j][k] += jets[a].gradient[j] * p[k];
       }
     }
     if (!solve(tangents, away, correction)) return false;

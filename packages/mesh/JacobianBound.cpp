@@ -181,11 +181,12 @@ class Search {
 }  // namespace
 
 double jacobianAt(const CellBlock& block, int element, const ReferencePoint& at) {
-  const Cell cell = block.cells[element];
   const Span<const int> nodes = block.nodesOf(element);
+  ShapeJet jets[kMostCellNodes];
+  shapeJets(block.cells[element], at, jets);
   double j[3][3] = {};  // [coordinate][reference direction]
-  for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
-    const ReferencePoint g = shapeGradient(cell, i, at);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const ReferencePoint& g = jets[i].gradient;
     const Point x = block.point(nodes[i]);
     for (int k = 0; k < block.dimension; ++k)
       for (int l = 0; l < block.dimension; ++l) j[k][l] += x[k] * g[l];

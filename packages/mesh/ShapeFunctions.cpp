@@ -1,6 +1,8 @@
+#include <suture/base/Errors.hpp>
 #include <suture/mesh/ShapeFunctions.hpp>
 
 #include <algorithm>
+#include <string>
 
 namespace suture {
 
@@ -15,6 +17,56 @@ const Point pyramid[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 
 
 using Jet = ShapeJet;
 
+/// A function of one coordinate.
+struct Factor {
+  double value, slope;
+};
+/// Linear on [-1, 1]. \param node  -1 or 1, where it is one
+Factor linear(double node, double x) { return {(1 + node * x) / 2, node / 2}; }
+/// Quadratic through -1, 0 and 1. \param node  where it is one
+Factor quadratic(double node, double x) { return node == 0 ? Factor{1 - x * x, -2 * x} : Factor{x * (x + node) / 2, x + node / 2}; }
+
+/// A factor of serendipity functions: quadratic in the middle of an edge, along it.
+Factor linearOrBubble(double node, double x) { return node == 0 ? quadratic(node, x) : linear(node, x); }
+
+/// Products of functions of one coordinate each, at one point.
+template <int D>
+class Products {
+ public:
+  /// \param functionOf  Factor(reference coordinate of the node: -1, 0 or 1; coordinate of the point)
+  template <typename Function>
+  Products(const Point& at, const Function& functionOf) {
+    for (int k = 0; k < D; ++k)
+      for (const int node : {-1, 0, 1}) factors_[k][node + 1] = functionOf(node, at[k]);
+  }
+
+  /// The product that is one at a node.
+  Jet of(const Point& node) const {
+    const Factor &x = at(0, node), &y = at(1, node);
+    if constexpr (D == 2) return {x.value * y.value, {x.slope * y.value, x.value * y.slope, 0}};
+    const Factor& z = at(D - 1, node);
+    return {x.value * y.value * z.value, {x.slope * y.value * z.value, x.value * y.slope * z.value, x.value * y.value * z.slope}};
+  }
+
+ private:
+  const Factor& at(int k, const Point& node) const { return factors_[k][static_cast<int>(node[k]) + 1]; }
+  Factor factors_[D][3];
+};
+
+/// Serendipity functions of 8 and 20 nodes. \param products  of linearOrBubble()
+template <int D>
+Jet serendipity(const Products<D>& products, const Point& node, const Point& at) {
+  Jet jet = products.of(node);
+  double sum = 1 - D;
+  for (int k = 0; k < D; ++k) {
+    if (node[k] == 0) return jet;  // in the middle of an edge
+    sum += node[k] * at[k];
+  }
+  for (int k = 0; k < D; ++k) jet.gradient[k] = jet.gradient[k] * sum + jet.value * node[k];
+  jet.value *= sum;
+  return jet;
+}
+
 /// The barycentric coordinate of a vertex of the triangle (dimension 2) or the tetrahedron.
 Jet barycentric(int dimension, int vertex, const Point& at) {
   Jet l;
@@ -28,75 +80,25 @@ Jet barycentric(int dimension, int vertex, const Point& at) {
   return l;
 }
 
-Jet simplexFunction(const CellInfo& cell, int i, const Point& at) {
-  if (i < cell.vertices) {
-    Jet l = barycentric(cell.dimension, i, at);
-    if (cell.order == 1) return l;
-    for (double& g : l.gradient) g *= 4 * l.value - 1;
-    l.value *= 2 * l.value - 1;
-    return l;
+void simplexJets(const CellInfo& info, const Point& at, Jet* jets) {
+  Jet l[4];
+  for (int i = 0; i < info.vertices; ++i) jets[i] = l[i] = barycentric(info.dimension, i, at);
+  if (info.order == 1) return;
+  for (int i = 0; i < info.vertices; ++i) {
+    for (int k = 0; k < info.dimension; ++k) jets[i].gradient[k] *= 4 * l[i].value - 1;
+    jets[i].value *= 2 * l[i].value - 1;
   }
-  const auto& edge = cell.edges[i - cell.vertices];
-  const Jet a = barycentric(cell.dimension, edge[0], at), b = barycentric(cell.dimension, edge[1], at);
-  Jet product;
-  product.value = 4 * a.value * b.value;
-  for (int k = 0; k < 3; ++k) product.gradient[k] = 4 * (a.value * b.gradient[k] + b.value * a.gradient[k]);
-  return product;
-}
-
-/// A product of functions of one coordinate each. \param factor  factor[k], slope[k]: value and derivative for coordinate k
-Jet productOf(int dimension, const double* factor, const double* slope) {
-  Jet product;
-  product.value = 1.0;
-  for (int k = 0; k < dimension; ++k) {
-    product.value *= factor[k];
-    product.gradient[k] = slope[k];
-    for (int j = 0; j < dimension; ++j)
-      if (j != k) product.gradient[k] *= factor[j];
+  for (int i = info.vertices; i < info.nodes; ++i) {
+    const Jet &a = l[info.edges[i - info.vertices][0]], &b = l[info.edges[i - info.vertices][1]];
+    jets[i].value = 4 * a.value * b.value;
+    for (int k = 0; k < 3; ++k) jets[i].gradient[k] = 4 * (a.value * b.gradient[k] + b.value * a.gradient[k]);
   }
-  return product;
-}
-
-/// Linear in each coordinate. \param p  reference point of the node
-Jet linearProduct(int dimension, const Point& p, const Point& at) {
-  double factor[3], slope[3];
-  for (int k = 0; k < dimension; ++k) factor[k] = (1 + p[k] * at[k]) / 2, slope[k] = p[k] / 2;
-  return productOf(dimension, factor, slope);
-}
-
-/// Quadratic in each coordinate: through -1, 0 and 1.
-Jet quadraticProduct(int dimension, const Point& p, const Point& at) {
-  double factor[3], slope[3];
-  for (int k = 0; k < dimension; ++k) {
-    const double x = at[k];
-    factor[k] = p[k] == 0 ? 1 - x * x : x * (x + p[k]) / 2;
-    slope[k] = p[k] == 0 ? -2 * x : x + p[k] / 2;
-  }
-  return productOf(dimension, factor, slope);
-}
-
-/// Serendipity functions of 8 and 20 nodes.
-Jet serendipity(int dimension, const Point& p, const Point& at) {
-  double factor[3], slope[3], sum = 1 - dimension;
-  bool isMiddle = false;
-  for (int k = 0; k < dimension; ++k) {
-    const bool middle = p[k] == 0;
-    isMiddle = isMiddle || middle;
-    factor[k] = middle ? 1 - at[k] * at[k] : (1 + p[k] * at[k]) / 2;
-    slope[k] = middle ? -2 * at[k] : p[k] / 2;
-    sum += p[k] * at[k];
-  }
-  Jet jet = productOf(dimension, factor, slope);
-  if (isMiddle) return jet;
-  for (int k = 0; k < dimension; ++k) jet.gradient[k] = jet.gradient[k] * sum + jet.value * p[k];
-  jet.value *= sum;
-  return jet;
 }
 
 Jet wedgeFunction(int i, const Point& at) {
   const Jet l = barycentric(2, i % 3, at);
-  const double half = (1 + wedge[i][2] * at[2]) / 2;
-  return {l.value * half, {l.gradient[0] * half, l.gradient[1] * half, l.value * wedge[i][2] / 2}};
+  const Factor along = linear(wedge[i][2], at[2]);
+  return {l.value * along.value, {l.gradient[0] * along.value, l.gradient[1] * along.value, l.value * along.slope}};
 }
 
 Jet pyramidFunction(int i, const Point& at) {
@@ -105,33 +107,6 @@ Jet pyramidFunction(int i, const Point& at) {
   const double below = std::max(1 - z, 1e-14), ratio = p * q / below;
   return {((1 + p * x) * (1 + q * y) - z + ratio * x * y * z) / 4,
           {(p * (1 + q * y) + ratio * y * z) / 4, (q * (1 + p * x) + ratio * x * z) / 4, (ratio * x * y / below - 1) / 4}};
-}
-
-Jet jetOf(Cell cell, int i, const Point& at) {
-  switch (cell) {
-    case Cell::Triangle3:
-    case Cell::Triangle6:
-    case Cell::Tetrahedron4:
-    case Cell::Tetrahedron10:
-      return simplexFunction(cellInfo(cell), i, at);
-    case Cell::Quadrilateral4:
-      return linearProduct(2, square[i], at);
-    case Cell::Quadrilateral8:
-      return serendipity(2, square[i], at);
-    case Cell::Quadrilateral9:
-      return quadraticProduct(2, square[i], at);
-    case Cell::Hexahedron8:
-      return linearProduct(3, cube[i], at);
-    case Cell::Hexahedron20:
-      return serendipity(3, cube[i], at);
-    case Cell::Hexahedron27:
-      return quadraticProduct(3, cube[i], at);
-    case Cell::Wedge6:
-      return wedgeFunction(i, at);
-    case Cell::Pyramid5:
-      return pyramidFunction(i, at);
-  }
-  return {};
 }
 
 }  // namespace
@@ -163,26 +138,44 @@ ReferencePoint referenceCentre(Cell cell) {
 
 void shapeJets(Cell cell, const ReferencePoint& at, ShapeJet* jets) {
   const CellInfo& info = cellInfo(cell);
-  if (!isSimplex(cell)) {
-    for (int i = 0; i < info.nodes; ++i) jets[i] = jetOf(cell, i, at);
-    return;
-  }
-  Jet l[4];
-  for (int i = 0; i < info.vertices; ++i) jets[i] = l[i] = barycentric(info.dimension, i, at);
-  if (info.order == 1) return;
-  for (int i = 0; i < info.vertices; ++i) {
-    for (int k = 0; k < info.dimension; ++k) jets[i].gradient[k] *= 4 * l[i].value - 1;
-    jets[i].value *= 2 * l[i].value - 1;
-  }
-  for (int i = info.vertices; i < info.nodes; ++i) {
-    const Jet &a = l[info.edges[i - info.vertices][0]], &b = l[info.edges[i - info.vertices][1]];
-    jets[i].value = 4 * a.value * b.value;
-    for (int k = 0; k < 3; ++k) jets[i].gradient[k] = 4 * (a.value * b.gradient[k] + b.value * a.gradient[k]);
+  const auto fill = [&](const auto& functionOf) {
+    for (int i = 0; i < info.nodes; ++i) jets[i] = functionOf(i);
+  };
+  switch (cell) {
+    case Cell::Triangle3:
+    case Cell::Triangle6:
+    case Cell::Tetrahedron4:
+    case Cell::Tetrahedron10:
+      return simplexJets(info, at, jets);
+    case Cell::Quadrilateral4:
+      return fill([&, all = Products<2>(at, linear)](int i) { return all.of(square[i]); });
+    case Cell::Quadrilateral8:
+      return fill([&, all = Products<2>(at, linearOrBubble)](int i) { return serendipity(all, square[i], at); });
+    case Cell::Quadrilateral9:
+      return fill([&, all = Products<2>(at, quadratic)](int i) { return all.of(square[i]); });
+    case Cell::Hexahedron8:
+      return fill([&, all = Products<3>(at, linear)](int i) { return all.of(cube[i]); });
+    case Cell::Hexahedron20:
+      return fill([&, all = Products<3>(at, linearOrBubble)](int i) { return serendipity(all, cube[i], at); });
+    case Cell::Hexahedron27:
+      return fill([&, all = Products<3>(at, quadratic)](int i) { return all.of(cube[i]); });
+    case Cell::Wedge6:
+      return fill([&](int i) { return wedgeFunction(i, at); });
+    case Cell::Pyramid5:
+      return fill([&](int i) { return pyramidFunction(i, at); });
   }
 }
 
-double shapeFunction(Cell cell, int i, const ReferencePoint& at) { return jetOf(cell, i, at).value; }
-
-ReferencePoint shapeGradient(Cell cell, int i, const ReferencePoint& at) { return jetOf(cell, i, at).gradient; }
+SideShape sideShape(int nodes, double xi) {
+  if (nodes != 2 && nodes != 3) throw InternalError("a side of " + std::to_string(nodes) + " nodes");
+  constexpr double places[] = {-1, 1, 0};
+  SideShape shape;
+  for (int i = 0; i < nodes; ++i) {
+    const Factor factor = nodes == 2 ? linear(places[i], xi) : quadratic(places[i], xi);
+    shape.value[i] = factor.value;
+    shape.slope[i] = factor.slope;
+  }
+  return shape;
+}
 
 }  // namespace suture

@@ -1,9 +1,9 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellBlock.hpp>
+#include <suture/mesh/SideShape.hpp>
 #include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/mesh/SideGeometry.hpp>
-#include <suture/mesh/SideShape.hpp>
 
 #include <cmath>
 
@@ -38,28 +38,25 @@ Cell sideCell(int nodes) {
 namespace {
 
 std::vector<NodeNormal> nodeNormalsInPlane(const std::vector<Point>& points) {
-  const Point &a = points[0], &b = points[1];
-  std::vector<Point> tangents(points.size(), minus(b, a));  // d x / d xi, xi from -1 to 1
-  for (Point& t : tangents) t = {t[0] / 2, t[1] / 2, 0};
-  std::vector<double> weights(points.size(), 1.0);
-  if (points.size() == 3) {
-    const Point& m = points[2];
-    const Point bow{a[0] + b[0] - 2 * m[0], a[1] + b[1] - 2 * m[1], 0};  // second derivative
-    for (int k = 0; k < 2; ++k) tangents[0][k] -= bow[k], tangents[1][k] += bow[k];
-    weights = {1.0 / 3, 1.0 / 3, 4.0 / 3};
-  }
+  const int nodes = static_cast<int>(points.size());
+  const std::vector<double> weights = nodes == 2 ? std::vector<double>{1, 1} : std::vector<double>{1.0 / 3, 1.0 / 3, 4.0 / 3};
+  constexpr double places[] = {-1, 1, 0};
   std::vector<NodeNormal> normals;
-  for (std::size_t i = 0; i < points.size(); ++i) normals.push_back({{tangents[i][1], -tangents[i][0], 0}, weights[i]});
+  for (int i = 0; i < nodes; ++i) {
+    const SideShape shape = sideShape(nodes, places[i]);
+    Point tangent{0, 0, 0};
+    for (int a = 0; a < nodes; ++a) tangent = plus(tangent, scaled(shape.slope[a], points[a]));
+    normals.push_back({{tangent[1], -tangent[0], 0}, weights[i]});
+  }
   return normals;
 }
 
-/// Cross product of the derivatives of the position by the two reference coordinates.
-Point density(const std::vector<Point>& points, Cell cell, ReferencePoint at) {
+/// Cross product of the derivatives of the position by the two reference coordinates. \param jets  shape functions at the point
+Point density(const std::vector<Point>& points, const ShapeJet* jets) {
   Point s{0, 0, 0}, t{0, 0, 0};
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ReferencePoint g = shapeGradient(cell, static_cast<int>(i), at);
-    s = plus(s, scaled(g[0], points[i]));
-    t = plus(t, scaled(g[1], points[i]));
+    s = plus(s, scaled(jets[i].gradient[0], points[i]));
+    t = plus(t, scaled(jets[i].gradient[1], points[i]));
   }
   return cross(s, t);
 }
@@ -105,9 +102,11 @@ std::vector<QuadraturePoint> quadrature(Cell cell) {
 
 void addSizesInSpace(const std::vector<Point>& points, std::vector<double>& sizes) {
   const Cell cell = sideCell(static_cast<int>(points.size()));
+  ShapeJet jets[kMostSideNodes];
   for (const QuadraturePoint& q : quadrature(cell)) {
-    const double area = q.weight * norm(density(points, cell, q.at));
-    for (std::size_t i = 0; i < points.size(); ++i) sizes[i] += area * shapeFunction(cell, static_cast<int>(i), q.at);
+    shapeJets(cell, q.at, jets);
+    const double area = q.weight * norm(density(points, jets));
+    for (std::size_t i = 0; i < points.size(); ++i) sizes[i] += area * jets[i].value;
   }
 }
 
@@ -136,8 +135,11 @@ std::vector<NodeNormal> nodeNormals(const std::vector<Point>& points, int dimens
   if (dimension == 2) return nodeNormalsInPlane(points);
   const Cell cell = sideCell(static_cast<int>(points.size()));
   std::vector<NodeNormal> normals;
-  for (int i = 0; i < static_cast<int>(points.size()); ++i)
-    normals.push_back({density(points, cell, referencePoint(cell, i)), weightInSpace(cell, i)});
+  ShapeJet jets[kMostSideNodes];
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    shapeJets(cell, referencePoint(cell, i), jets);
+    normals.push_back({density(points, jets), weightInSpace(cell, i)});
+  }
   return normals;
 }
 

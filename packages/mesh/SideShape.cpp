@@ -1,16 +1,9 @@
-#include <suture/base/Errors.hpp>
 #include <suture/mesh/SideShape.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace suture {
-
-SideShape sideShape(int nodes, double xi) {
-  if (nodes == 2) return {{(1 - xi) / 2, (1 + xi) / 2, 0}, {-0.5, 0.5, 0}};
-  if (nodes == 3) return {{xi * (xi - 1) / 2, xi * (xi + 1) / 2, 1 - xi * xi}, {xi - 0.5, xi + 0.5, -2 * xi}};
-  throw InternalError("a side of " + std::to_string(nodes) + " nodes");
-}
 
 // The points are the eigenvalues of the Jacobi matrix of the Legendre polynomials, the weights follow from the first components of its
 // eigenvectors (Golub and Welsch 1969).

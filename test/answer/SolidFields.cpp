@@ -109,8 +109,10 @@ TEUCHOS_UNIT_TEST(PointSearch, In3DFindsEachPointOnOneRank) {
       const SubdomainMesh& mesh = cube.meshes[found.here[k].mesh];
       Point place{0, 0, 0}, u{0, 0, 0};
       const Span<const int> nodes = mesh.nodesOf(found.here[k].element);
+      ShapeJet jets[kMostCellNodes];
+      shapeJets(mesh.cells[found.here[k].element], found.here[k].at, jets);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
-        const double weight = shapeFunction(mesh.cells[found.here[k].element], int(a), found.here[k].at);
+        const double weight = jets[a].value;
         place = plus(place, scaled(weight, mesh.point(nodes[a])));
         for (int c = 0; c < 3; ++c) u[c] += weight * cube.displacement[found.here[k].mesh][3 * nodes[a] + c];
       }

@@ -58,9 +58,10 @@ void distort(Mesh& mesh, double size, bool bend) {
     const Cell linear = cell.vertices == 4 ? Cell::Tetrahedron4 : Cell::Hexahedron8;
     const Span<const int> nodes = mesh.nodesOf(e);
     for (int i = cell.vertices; i < cell.nodes; ++i) {
+      ShapeJet jets[kMostCellNodes];
+      shapeJets(linear, referencePoint(mesh.cells[e], i), jets);
       Point place{0, 0, 0};
-      for (int v = 0; v < cell.vertices; ++v)
-        place = plus(place, scaled(shapeFunction(linear, v, referencePoint(mesh.cells[e], i)), mesh.point(nodes[v])));
+      for (int v = 0; v < cell.vertices; ++v) place = plus(place, scaled(jets[v].value, mesh.point(nodes[v])));
       std::copy(place.begin(), place.end(), &mesh.coordinates[std::size_t(nodes[i]) * 3]);
     }
   }

@@ -44,9 +44,10 @@ CellBlock bentBox(Cell cell, int n) {
 
 Point image(const CellBlock& block, int element, const ReferencePoint& at) {
   const Span<const int> nodes = block.nodesOf(element);
+  ShapeJet jets[kMostCellNodes];
+  shapeJets(block.cells[element], at, jets);
   Point sum{0, 0, 0};
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-    sum = plus(sum, scaled(shapeFunction(block.cells[element], int(a), at), block.point(nodes[a])));
+  for (std::size_t a = 0; a < nodes.size(); ++a) sum = plus(sum, scaled(jets[a].value, block.point(nodes[a])));
   return sum;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellBlock.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
 
 #include <random>
 #include <vector>
@@ -63,6 +64,13 @@ inline std::vector<Point> places(Cell cell) {
       return pyramid;
   }
   return {};
+}
+
+/// Shape functions of all nodes.
+inline std::vector<suture::ShapeJet> jets(Cell cell, const Point& at) {
+  std::vector<suture::ShapeJet> all(suture::cellInfo(cell).nodes);
+  suture::shapeJets(cell, at, all.data());
+  return all;
 }
 
 /// Area or volume of the cell of places().

@@ -2,6 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Matrices.hpp>
 #include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/pairs/mortar/DualBasis.hpp>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // The search for opposite sides against a check of all of them, and its cost.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/pairs/PairSearch.hpp>
 
 #include <algorithm>

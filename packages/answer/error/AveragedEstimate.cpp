@@ -48,7 +48,9 @@ Samples makeSamples(Cell cell) {
   for (int q = 0; q < all.points->points; ++q) {
     ReferencePoint at{};
     std::copy_n(all.points->placeAt(q), cellInfo(cell).dimension, at.begin());
-    for (int v = 0; v < all.vertices; ++v) all.shapes(v, q) = shapeFunction(linear, v, at);
+    ShapeJet jets[kMostCellNodes];
+    shapeJets(linear, at, jets);
+    for (int v = 0; v < all.vertices; ++v) all.shapes(v, q) = jets[v].value;
   }
   all.toVertices = Matrix(all.shapes).completeOrthogonalDecomposition().pseudoInverse();
   return all;

@@ -1,5 +1,5 @@
-#include <suture/mesh/SideGeometry.hpp>
 #include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/SideGeometry.hpp>
 #include <suture/pairs/PairFrame.hpp>
 #include <suture/pairs/mortar/MortarFace.hpp>
 
@@ -66,15 +66,16 @@ MortarFace::MortarFace(const Surface& surface, int side, int body)
 }
 
 Point MortarFace::normalAt(const ReferencePoint& at) const {
+  const ShapeValues values = sideValues(static_cast<int>(normals_.size()), 3, at);
   Point sum{0, 0, 0};
-  for (std::size_t i = 0; i < normals_.size(); ++i) sum = plus(sum, scaled(shapeFunction(cell_, static_cast<int>(i), at), normals_[i]));
+  for (std::size_t i = 0; i < normals_.size(); ++i) sum = plus(sum, scaled(values[i], normals_[i]));
   return unit(sum);
 }
 
 MortarFace::Place MortarFace::place(const ReferencePoint& at) const {
   Place place;
   place.at = at;
-  ShapeJet shapes[9];
+  ShapeJet shapes[kMostSideNodes];
   shapeJets(cell_, at, shapes);
   Point s{0, 0, 0}, t{0, 0, 0};
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -117,7 +118,7 @@ std::optional<MortarFace::Place> ProjectedFace::meet(const PlanePoint& point) co
   ReferencePoint at{start_[0] + slope_[0] * x + slope_[1] * y, start_[1] + slope_[2] * x + slope_[3] * y, 0};
   if (face_.isStraight() && face_.distortion() == 0) return face_.place(at);
   const std::size_t count = face_.points().size();
-  ShapeJet shapes[9];
+  ShapeJet shapes[kMostSideNodes];
   for (int step = 0; step < kSteps; ++step) {
     shapeJets(face_.cell(), at, shapes);
     double away[2] = {0, 0}, s[2] = {0, 0}, t[2] = {0, 0};

@@ -1,4 +1,4 @@
-#include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/pairs/mortar/MortarSegment.hpp>
 
 #include <algorithm>

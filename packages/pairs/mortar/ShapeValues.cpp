@@ -1,5 +1,4 @@
 #include <suture/mesh/SideGeometry.hpp>
-#include <suture/mesh/SideShape.hpp>
 #include <suture/pairs/mortar/ShapeValues.hpp>
 
 #include <algorithm>
@@ -17,8 +16,9 @@ ShapeValues sideValues(int nodes, int dimension, const ReferencePoint& at) {
     std::copy(shape.value.begin(), shape.value.end(), values.begin());
     return values;
   }
-  const Cell cell = sideCell(nodes);
-  for (int i = 0; i < nodes; ++i) values[i] = shapeFunction(cell, i, at);
+  ShapeJet jets[kMostSideNodes];
+  shapeJets(sideCell(nodes), at, jets);
+  for (int i = 0; i < nodes; ++i) values[i] = jets[i].value;
   return values;
 }
 

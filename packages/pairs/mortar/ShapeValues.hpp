@@ -6,7 +6,7 @@
 namespace suture {
 
 /// Values of shape functions at a point of a side.
-using ShapeValues = std::array<double, 9>;
+using ShapeValues = std::array<double, kMostSideNodes>;
 
 /// Shape functions of a side with this number of nodes. Local.
 ShapeValues sideValues(int nodes, int dimension, const ReferencePoint& at);

@@ -32,7 +32,7 @@ double SmoothFace::Curvature::along(const Point& arm) const {
 
 SmoothFace::Curvature SmoothFace::curvature(const ReferencePoint& at) const {
   Curvature result;
-  ShapeJet shapes[9];
+  ShapeJet shapes[kMostSideNodes];
   shapeJets(face_.cell(), at, shapes);
   for (std::size_t i = 0; i < face_.points().size(); ++i) {
     const Point& normal = hasBulge() ? jets_[i].normal : face_.normal(static_cast<int>(i));

@@ -93,9 +93,10 @@ std::vector<Row> rowsOfPoints(const Run& run, const Probe& probe, const FoundPoi
     const PointInElement& here = found.here[i];
     if (here.mesh < 0) continue;
     const SubdomainMesh& mesh = run.subdomains[here.mesh];
+    ShapeJet jets[kMostCellNodes];
+    shapeJets(mesh.cells[here.element], here.at, jets);
     std::vector<double> weights;
-    for (std::size_t a = 0; a < mesh.nodesOf(here.element).size(); ++a)
-      weights.push_back(shapeFunction(mesh.cells[here.element], static_cast<int>(a), here.at));
+    for (std::size_t a = 0; a < mesh.nodesOf(here.element).size(); ++a) weights.push_back(jets[a].value);
     Row row = values.of(here.mesh, here.element, weights);
     row.order = static_cast<GlobalId>(i);
     row.place = probe.points[i].place;

@@ -50,12 +50,12 @@ class Interpolation {
   Point valueAt(std::size_t s, const CellSearch::Place& place) const {
     const SubdomainMesh& mesh = coarse_.meshes[s];
     const Span<const int> nodes = mesh.nodesOf(place.element);
+    ShapeJet jets[kMostCellNodes];
+    shapeJets(mesh.cells[place.element], place.at, jets);
     Point value{0, 0, 0};
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      const double weight = shapeFunction(mesh.cells[place.element], static_cast<int>(a), place.at);
+    for (std::size_t a = 0; a < nodes.size(); ++a)
       for (int k = 0; k < mesh.dimension; ++k)
-        value[k] += weight * mesh.total(coarse_.solution.displacement[s], Eigen::Index(nodes[a]) * mesh.dimension + k);
-    }
+        value[k] += jets[a].value * mesh.total(coarse_.solution.displacement[s], Eigen::Index(nodes[a]) * mesh.dimension + k);
     return value;
   }
 
