@@ -1,7 +1,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellBlock.hpp>
-#include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/GaussRule.hpp>
 #include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/mesh/SideGeometry.hpp>
 

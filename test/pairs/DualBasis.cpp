@@ -1,7 +1,7 @@
 // Biorthogonal functions against known closed forms.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Matrices.hpp>
-#include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/GaussRule.hpp>
 #include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/pairs/mortar/DualBasis.hpp>
 

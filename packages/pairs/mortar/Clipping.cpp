@@ -1,4 +1,4 @@
-#include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/GaussRule.hpp>
 #include <suture/pairs/mortar/Clipping.hpp>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/GaussRule.hpp>
 #include <suture/pairs/mortar/MortarSampling.hpp>
 #include <suture/pairs/mortar/Segmentation.hpp>
 

@@ -1,4 +1,4 @@
-#include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/GaussRule.hpp>
 #include <suture/mesh/SideGeometry.hpp>
 #include <suture/pairs/PairFrame.hpp>
 #include <suture/pairs/mortar/MortarFace.hpp>

@@ -1,4 +1,4 @@
-#include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/GaussRule.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
