@@ -1,6 +1,7 @@
 // Needs SUTURE_GMSH. One rank: the reader is local; see MeshReader for several, and MshReader for .msh files.
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/reader/gmsh/GmshReader.hpp>
+#include <suture/reader/gmsh/MesherProcess.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
@@ -79,7 +80,7 @@ TEUCHOS_UNIT_TEST(GmshReader, OverridesConstantsForThisFileOnly) {
   const std::string path = folder.write("a.geo", rectangle);
   TEST_FLOATING_EQUALITY(widthOf(readGmsh({path, {{"W", 5.25}}, 1.0})), 5.25, 1e-13);
   TEST_FLOATING_EQUALITY(widthOf(readGmsh({path, {}, 1.0})), 2.0, 1e-13);
-  const std::string outer = folder.write("outer.geo", "Include \"a.geo\";\n");
+  const std::string outer = folder.write("outer.geo", "// 'DefineConstant[ /*\nInclude \"a.geo\";\n");
   TEST_FLOATING_EQUALITY(widthOf(readGmsh({outer, {{"W", 3}}, 1.0})), 3.0, 1e-13);
 }
 
@@ -252,6 +253,28 @@ TEUCHOS_UNIT_TEST(GmshReader, TakesTheSilenceOfTheMesherForAnError) {
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0, 600, true}); }), "ended without a mesh and without a message");
   TEST_ASSERT(std::filesystem::exists(mark));
 }
+
+#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
+// The second line of defence, against statements that the check of the file might overlook.
+TEUCHOS_UNIT_TEST(GmshReader, ForbidsTheMesherToRunProgramsAndToWrite) {
+  const Folder folder;
+  const std::string mark = folder.path() + "/mark";
+  for (const std::string& statement : {"SystemCall \"touch " + mark + "\";", "Save \"" + mark + ".msh\";", "CreateDir \"" + mark + "\";",
+                                       "Printf(\"x\") > \"" + mark + "\";", "Mesh 2; Print \"" + mark + ".vtk\";"}) {
+    const std::string path = folder.write("a.geo", rectangle + statement + "\n");
+    const auto made = [&] {
+      for (const std::string ending : {"", ".msh", ".vtk"})
+        if (std::filesystem::exists(mark + ending)) return true;
+      return false;
+    };
+    problemsOf([&] { runMesher({path, path, 1.0, 600.0, false}); });  // some fail, some are silently without effect
+    TEST_ASSERT(!made());
+    problemsOf([&] { runMesher({path, path, 1.0, 600.0, true}); });
+    TEST_ASSERT(made());  // the statement does what this test believes
+    for (const std::string ending : {"", ".msh", ".vtk"}) std::filesystem::remove(mark + ending);
+  }
+}
+#endif
 
 TEUCHOS_UNIT_TEST(GmshReader, EndsALoopWithoutEndAndAMacroThatCallsItself) {
   const Folder folder;

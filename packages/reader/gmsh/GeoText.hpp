@@ -6,7 +6,7 @@
 namespace suture {
 
 /// Names in DefineConstant in a .geo file and in the files that it includes by a literal name: the constants that a scene may override.
-/// Sorted. Comments are skipped. Local; an included file that cannot be read adds nothing.
+/// Sorted. Local; an included file that cannot be read adds nothing. \throws InputError  like geoTokens()
 std::vector<std::string> geoConstants(const std::string& path);
 
 /// File that Gmsh opens for a .geo file: the file itself, or a temporary file that first sets the constants, then includes the .geo file (a
@@ -15,7 +15,7 @@ std::vector<std::string> geoConstants(const std::string& path);
 class GeoWrapper {
  public:
   /// \throws InputError        if the file does not end with a newline and includes other files relative to its folder, which a temporary
-  ///                           copy would not find
+  ///                           copy would not find; like geoTokens()
   /// \throws EnvironmentError  if no temporary file can be written
   GeoWrapper(const std::string& path, const std::map<std::string, double>& constants);
   ~GeoWrapper();

@@ -15,6 +15,7 @@ namespace suture {
 namespace {
 
 void checkConstants(const GmshInput& input, Problems& problems) {
+  if (input.constants.empty()) return;
   const std::vector<std::string> known = geoConstants(input.path);
   for (const auto& entry : input.constants)
     if (!std::binary_search(known.begin(), known.end(), entry.first))
