@@ -254,6 +254,15 @@ TEUCHOS_UNIT_TEST(GmshReader, TakesTheSilenceOfTheMesherForAnError) {
   TEST_ASSERT(std::filesystem::exists(mark));
 }
 
+// Gmsh then logs nothing: a file with an error must not pass as if it had none.
+TEUCHOS_UNIT_TEST(GmshReader, ReportsErrorsOfAFileThatSilencesGmsh) {
+  const Folder folder;
+  for (const std::string level : {"0", "-1"}) {
+    const std::string path = folder.write("a.geo", rectangle + "General.Verbosity = " + level + ";\nMesh.MeshSizeMax = typo;\n");
+    SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), "a.geo', line 9: Unknown variable 'typo'");
+  }
+}
+
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
 // The second line of defence, against statements that the check of the file might overlook.
 TEUCHOS_UNIT_TEST(GmshReader, ForbidsTheMesherToRunProgramsAndToWrite) {

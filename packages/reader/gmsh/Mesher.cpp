@@ -35,14 +35,16 @@ void send(MesherMessage message, const std::string& text) {
   put(text);
 }
 
-/// The first error that Gmsh has logged, or "".
+/// The first error that Gmsh has logged, or "". A file may silence the log (General.Verbosity = 0): Gmsh then still knows its last error.
 std::string loggedError() {
   std::vector<std::string> log;
   gmsh::logger::get(log);
   const std::string mark = "Error: ";
   for (const std::string& line : log)
     if (line.compare(0, mark.size(), mark) == 0) return line.substr(mark.size());
-  return "";
+  std::string last;
+  gmsh::logger::getLastError(last);
+  return last;
 }
 
 void readNodes(GmshMesh& mesh) {
