@@ -50,7 +50,7 @@ class CondensedPairs : public ContactProblem {
   const Comm& comm_;
   const CondensedProblem& problem_;
   std::unique_ptr<ContactBodies> bodies_;
-  RigidBodyModel* rigid_;  // of bodies_
+  RigidBodyModel* rigid_;  // the model of bodies_
   std::vector<int> partOfOwned_;
   std::unique_ptr<TraceMotions> motions_;
   std::vector<FrictionSite> sites_;

@@ -92,7 +92,7 @@ StateSearch::Result TrescaFixedPoint::run(PairStates start) {
     start = result.states;
     bool depends = false;  // the bound of some pair depends on its normal force
     for (std::size_t i = 0; i < start.size() && !depends; ++i)
-      depends = rigid_.data().canChange[i] && start[i].closed() && laws.rubs(i) && laws.cone(i).friction != 0.0;
+      depends = rigid_.data().canChange[i] && start[i].closed() && laws.restrictsSliding(i) && laws.cone(i).friction != 0.0;
     settled = result.converged && (!depends || !next(normal, result.normal, same));
     if (settled || !result.converged) break;
   }

@@ -40,7 +40,7 @@ ContactAnswer answerOf(const ContactProblem& contact, const PairStates& states, 
 InterfaceEvaluation evaluationOf(const ContactProblem& contact, const PairStates& states, const PairValues& values,
                                  const ContactAnswer& answer) {
   const RigidBodyModel& rigid = contact.bodies().rigid();
-  const PairStates next = LawProjection(rigid, contact.laws(), contact.sites()).believed(states, answer);
+  const PairStates next = LawProjection(rigid, contact.laws(), contact.sites()).atSolution(states, answer);
   InterfaceEvaluation result;
   result.residual = values.residual;
   result.energy = values.energy;

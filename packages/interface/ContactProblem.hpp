@@ -74,7 +74,7 @@ void move(InterfaceState& state, const Vector& motion);
 /// Values of a linear problem with their tolerances. Local; the same on all ranks.
 ContactAnswer answerOf(const ContactProblem& contact, const PairStates& states, const PairValues& values, PairResolution resolution);
 
-/// What the laws make of a solution of given states: the next states, and how many differ in their status. Local; the same on all ranks.
+/// Evaluates the laws at a solution of given states: the next states, and how many differ in their status. Local; the same on all ranks.
 InterfaceEvaluation evaluationOf(const ContactProblem& contact, const PairStates& states, const PairValues& values,
                                  const ContactAnswer& answer);
 

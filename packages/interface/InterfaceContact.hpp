@@ -50,7 +50,7 @@ class InterfaceContact : public ContactProblem {
   const InterfaceBalance& balance_;
   PairTangents& tangents_;
   std::unique_ptr<ContactBodies> bodies_;
-  RigidBodyModel* rigid_;  // of bodies_
+  RigidBodyModel* rigid_;  // the model of bodies_
   std::vector<int> partOfOwned_;
   std::unique_ptr<TraceMotions> motions_;
   std::unique_ptr<SupportEnergy> supports_;

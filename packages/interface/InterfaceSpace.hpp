@@ -114,15 +114,6 @@ class InterfaceSpace {
   std::shared_ptr<InterfaceSpace> withRelations(std::vector<InterfaceRelation> relations, const std::vector<std::vector<int>>& neighbours,
                                                 const std::vector<int>& inRows = {}) const;
   void leaveEntities(const std::vector<char>& leaves);
-  /// Entity of closed pairs, by the places of their unknowns.
-  struct ContactPlaces {
-    EntityKind kind;
-    std::vector<int> sharers, unknowns, ends;
-  };
-  int expressing(int named) const;
-  std::vector<ContactPlaces> contactEdges(const std::vector<std::vector<int>>& chains, const std::vector<char>& apart) const;
-  std::vector<ContactPlaces> contactFaces(const std::vector<std::vector<int>>& cells, const std::vector<char>& apart) const;
-  void addContactEntities(const std::vector<std::vector<int>>& neighbours, std::vector<char> single);
   MultiVector& overlapping(std::size_t columns) const;
 
   CommPtr comm_;

@@ -10,7 +10,7 @@ namespace suture {
 PairTangents::PairTangents(std::shared_ptr<const InterfaceSpace> space, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                            const std::vector<ContactRow>& rows, std::vector<char> owned, const ContactClusters& clusters, int components,
                            bool friction)
-    : space_(std::move(space)), rows_(rows), owned_(std::move(owned)), clusters_(clusters), components_(components), rubs_(friction) {
+    : space_(std::move(space)), rows_(rows), owned_(std::move(owned)), clusters_(clusters), components_(components), restricts_(friction) {
   findNeighbours(subdomains);
 }
 
@@ -84,9 +84,9 @@ std::shared_ptr<const FrictionTangent> PairTangents::frictionOf(const std::vecto
 
 const PairTangent& PairTangents::of(const ContactStates& states) {
   if (last_.space && states == last_.states) return last_;
-  std::vector<InterfaceRelation> test, relations = clusters_.relations(states[0], rubs_ ? &test : nullptr);
+  std::vector<InterfaceRelation> test, relations = clusters_.relations(states[0], restricts_ ? &test : nullptr);
   bool sameSpace = false;
-  if (rubs_) {
+  if (restricts_) {
     last_.friction = frictionOf(states[0], std::move(test));
     const auto sameRows = [](const ContactState& a, const ContactState& b) { return a.holdsAs(b); };
     std::vector<int> unknowns;

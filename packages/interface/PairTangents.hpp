@@ -42,7 +42,7 @@ class PairTangents {
   std::vector<char> owned_;
   const ContactClusters& clusters_;
   int components_;
-  bool rubs_;
+  bool restricts_;
   std::vector<std::vector<int>> neighbours_;  // rows of neighbouring pairs: along lines, or around the cells of surfaces (-1: unknown)
   PairTangent last_;
   std::vector<int> unknowns_;  // expressed by others in last_.space, with friction

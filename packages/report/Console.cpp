@@ -130,7 +130,7 @@ std::string whatToTry(const Run& run) {
   const Solution& answer = run.solution;
   if (answer.isValid() || answer.stopped || !answer.undetermined.empty()) return text;
   const bool refused = answer.failure.find("no equilibrium") != std::string::npos;
-  const bool rubs =
+  const bool frictional =
       std::any_of(answer.pairs.begin(), answer.pairs.end(), [](const PairResult& pair) { return pair.kind.restrictsSliding; });
   const bool inSteps = !run.steps.empty() || answer.failure.rfind("load step", 0) == 0;
   if (!answer.converged && !refused && !inSteps) text += moreIterations(run);
@@ -138,7 +138,7 @@ std::string whatToTry(const Run& run) {
     text +=
         "   to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor conjugate gradients, shows whether the "
         "scene is at fault\n";
-  if (!answer.converged && !refused && rubs && !inSteps)
+  if (!answer.converged && !refused && frictional && !inSteps)
     text += "   to try: Load Steps: with friction the solution depends on the load path, and each step starts close to its solution\n";
   if (fs::exists(fileOf(run, kFields)) || !run.steps.empty())
     text += "   suture_plot " + run.folder + " draws supports and contacts (scene.png)\n";

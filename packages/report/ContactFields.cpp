@@ -149,9 +149,9 @@ void writeContactFields(const Run& run, const std::string& path) {
   file.pointData({"Displacement", 3, units.length, "of the node that carries the pair; x, y, z; along the axes"},
                  vectors(pairs, &Pair::displacement));
   file.pointData({"Normal", 3, "", "unit vector from side A to side B, or into the obstacle"}, vectors(pairs, &Pair::normal));
-  std::vector<char> rubs(1, hasFriction(pairs));
-  broadcast(run.comm, rubs);
-  if (rubs.front()) writeFriction(pairs, units, area, file);
+  std::vector<char> frictional(1, hasFriction(pairs));
+  broadcast(run.comm, frictional);
+  if (frictional.front()) writeFriction(pairs, units, area, file);
   integers("Pair", "number of the pair, from 0; -1 for a point on the axis, computed from the adjacent pairs", &Pair::id);
   integers("Line", "number of the contact line in the scene, from 0", &Pair::line);
   integers("Piece", "number of the contact piece, from 0; names in /Record/ContactPieces", &Pair::piece);

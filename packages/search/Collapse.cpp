@@ -56,8 +56,8 @@ Matrix Collapse::mechanisms(const ClosedSet& closed) const {
   PairStates states(closed.size());
   for (std::size_t i = 0; i < closed.size(); ++i) {
     if (!closed[i]) continue;
-    const bool rubs = laws_.of(rigid_.data().line[i]).rows(2) > 1;
-    states[i] = rubs ? slipping(i, Vector::Zero(2), 1.0, 1.0) : ContactState(PairStatus::Slip);
+    const bool restricts = laws_.of(rigid_.data().line[i]).rows(2) > 1;
+    states[i] = restricts ? slipping(i, Vector::Zero(2), 1.0, 1.0) : ContactState(PairStatus::Slip);
     states[i].transverseStiffness = 0.0;
   }
   return rigid_.loose(states);

@@ -33,7 +33,7 @@ Vector DrivenBodies::motion(const ContactBalance& balance, const PairStates& nex
     for (std::size_t k = 0; k < data.tangents.size(); ++k) {
       const auto component = static_cast<Eigen::Index>(k + 1);
       const double allowed = !state.closed() ? 0.0
-                             : state.status == PairStatus::Stick && projection_.rubs(i)
+                             : state.status == PairStatus::Stick && projection_.restrictsSliding(i)
                                  ? balance.force(at, component)
                                  : state.largest(balance.force(at, 0)) * state.direction[k + 1];
       add(balance.force(at, component) - allowed, data.tangents[k], at);

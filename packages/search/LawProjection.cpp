@@ -30,7 +30,8 @@ ContactState frozen(ContactState state, double normal, double first, double seco
 
 LawProjection::LawProjection(const RigidBodyModel& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, Vector normal)
     : rigid_(rigid), laws_(laws), sites_(sites), normal_(std::move(normal)) {
-  for (std::size_t i = 0; i < rigid.data().line.size(); ++i) frictionless_ = frictionless_ && !(rigid.data().canChange[i] && rubs(i));
+  for (std::size_t i = 0; i < rigid.data().line.size(); ++i)
+    frictionless_ = frictionless_ && !(rigid.data().canChange[i] && restrictsSliding(i));
 }
 
 ContactTrial LawProjection::trialOf(std::size_t pair) const {
@@ -53,7 +54,7 @@ ContactState LawProjection::state(std::size_t pair, const ContactState& now, con
   trial.jump = jump;
   ContactState next = laws_.of(rigid_.data().line[pair]).project(trial, now);
   const double first = force[1] + jump[1], second = force[2] + jump[2];
-  if (rubs(pair) && isFrozen()) next = frozen(next, normal_(static_cast<Eigen::Index>(pair)), first, second);
+  if (restrictsSliding(pair) && isFrozen()) next = frozen(next, normal_(static_cast<Eigen::Index>(pair)), first, second);
   if (next.status == PairStatus::Slip && rigid_.data().tangents.size() == 2 && next.direction != Point{0, 0, 0}) {
     const double bound = next.largest(force[0] + jump[0]), beyond = std::hypot(first, second) - bound;
     next.transverseStiffness = tangential_ * sites_[pair].tangential * (beyond * kLawAcross > bound ? bound / beyond : kLawAcross);
@@ -64,7 +65,7 @@ ContactState LawProjection::state(std::size_t pair, const ContactState& now, con
 PairStates LawProjection::refrozen(PairStates states) const {
   for (std::size_t i = 0; i < states.size(); ++i) {
     ContactState& own = states[i];
-    if (!own.closed() || !rubs(i)) continue;
+    if (!own.closed() || !restrictsSliding(i)) continue;
     const double normal = normal_(static_cast<Eigen::Index>(i));
     Point pushed{0, 0, 0};
     for (int k = 1; k <= 2; ++k) pushed[k] = kLawPushed * own.direction[k];
@@ -84,7 +85,7 @@ PairStates LawProjection::states(const PairStates& now, const Matrix& force, con
   return next;
 }
 
-PairStates LawProjection::believed(const PairStates& now, const ContactAnswer& answer) const {
+PairStates LawProjection::atSolution(const PairStates& now, const ContactAnswer& answer) const {
   PairStates all = now;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (!rigid_.data().canChange[i]) continue;
@@ -153,7 +154,7 @@ double LawProjection::turn(std::size_t pair, const ContactState& next, const Con
 
 FrictionCone LawProjection::cone(std::size_t pair) const {
   FrictionCone cone;
-  if (!rigid_.data().canChange[pair] || !rubs(pair) || rigid_.data().tangents.empty()) return cone;
+  if (!rigid_.data().canChange[pair] || !restrictsSliding(pair) || rigid_.data().tangents.empty()) return cone;
   const int directions = rigid_.data().tangents.size() == 2 ? kDirections : 2;
   for (int k = 0; k < directions; ++k) {
     const double angle = 2.0 * M_PI * k / directions;

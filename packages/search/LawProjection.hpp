@@ -24,7 +24,7 @@ class LawProjection {
   bool isFrozen() const { return normal_.size() > 0; }
 
   /// True if the law of a pair restricts sliding.
-  bool rubs(std::size_t pair) const { return laws_.of(rigid_.data().line[pair]).rows(2) > 1; }
+  bool restrictsSliding(std::size_t pair) const { return laws_.of(rigid_.data().line[pair]).rows(2) > 1; }
   /// True if no pair that can change has a law that restricts sliding.
   bool isFrictionless() const { return frictionless_; }
   /// Tangential stiffness of both sides of a pair; zero if there is none. [force / length]
@@ -36,7 +36,7 @@ class LawProjection {
   /// States of all pairs at given forces and jumps, without tolerances. \param jump  pairs x 3 [length]
   PairStates states(const PairStates& now, const Matrix& force, const Matrix& jump) const;
   /// States of all pairs at a solution, within its tolerances: a pair in doubt keeps its current state.
-  PairStates believed(const PairStates& now, const ContactAnswer& answer) const;
+  PairStates atSolution(const PairStates& now, const ContactAnswer& answer) const;
   /// Distance from the laws, sum |l - P(l + R w)|^2 / k with the stiffness k of each row [energy].
   double distance(const PairStates& now, const Matrix& force, const Matrix& jump) const;
   /// Difference between a slipping pair's tangential force and its bound in the direction of slip, relative to the force tolerance.

@@ -21,7 +21,7 @@ bool StabilisingPairs::isNeutral(const PairStates& next, const Matrix& free, dou
         .all();
   if ((free.transpose() * data.work).cwiseAbs().maxCoeff() > kNoWorkOfPairs * largest) return false;
   for (std::size_t i = 0; i < next.size(); ++i) {
-    if (!data.canChange[i] || next[i].status != PairStatus::Slip || !projection_.rubs(i)) continue;
+    if (!data.canChange[i] || next[i].status != PairStatus::Slip || !projection_.restrictsSliding(i)) continue;
     for (const SparseRows& tangent : data.tangents)
       if ((tangent.row(static_cast<Eigen::Index>(i)) * free).norm() > kDependentRows) return false;
   }
@@ -36,7 +36,7 @@ void StabilisingPairs::addSprings(PairStates& next, Matrix free) const {
     std::size_t best = next.size();
     Matrix bestWay;
     for (std::size_t i = 0; i < next.size(); ++i) {
-      if (!data.canChange[i] || next[i].closed() || next[i].transverseStiffness > 0.0 || !projection_.rubs(i) ||
+      if (!data.canChange[i] || next[i].closed() || next[i].transverseStiffness > 0.0 || !projection_.restrictsSliding(i) ||
           !(projection_.tangentialStiffness(i) > 0.0))
         continue;
       Matrix way(static_cast<Eigen::Index>(data.tangents.size()), free.cols());
@@ -55,7 +55,7 @@ void StabilisingPairs::addSprings(PairStates& next, Matrix free) const {
 }
 
 /// Lets open or sliding pairs stick until no motion is free.
-void StabilisingPairs::glue(PairStates& next, Matrix free, const std::vector<int>& inVain) const {
+void StabilisingPairs::tie(PairStates& next, Matrix free, const std::vector<int>& inVain) const {
   const RigidBodyModel::Pairs& data = rigid_.data();
   std::vector<char> isInVain(next.size(), 0);
   for (const int i : inVain) isInVain[static_cast<std::size_t>(i)] = 1;
@@ -66,14 +66,14 @@ void StabilisingPairs::glue(PairStates& next, Matrix free, const std::vector<int
       if (!data.canChange[i]) continue;
       const auto at = static_cast<Eigen::Index>(i);
       double size = next[i].closed() ? 0.0 : (data.rows.row(at) * free).norm();
-      if (next[i].status != PairStatus::Stick && projection_.rubs(i))
+      if (next[i].status != PairStatus::Stick && projection_.restrictsSliding(i))
         for (const SparseRows& tangent : data.tangents) size = std::max(size, (tangent.row(at) * free).norm());
       if (!next[i].closed()) size *= kOpenPair;
       if (isInVain[i]) size *= kInVain;
       if (size > most) most = size, best = i;
     }
     if (best == next.size()) break;
-    next[best].status = projection_.rubs(best) ? PairStatus::Stick : PairStatus::Slip;
+    next[best].status = projection_.restrictsSliding(best) ? PairStatus::Stick : PairStatus::Slip;
     next[best].direction = {0, 0, 0};
     next[best].transverseStiffness = 0.0;
     const Matrix now = rigid_.loose(next);
@@ -91,7 +91,7 @@ PairStates StabilisingPairs::addedTo(PairStates next, double largest, const std:
     addSprings(next, free);
     free = rigid_.loose(next);
   }
-  glue(next, std::move(free), inVain);
+  tie(next, std::move(free), inVain);
   return next;
 }
 

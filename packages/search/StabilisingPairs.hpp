@@ -24,7 +24,7 @@ class StabilisingPairs {
  private:
   bool isNeutral(const PairStates& next, const Matrix& free, double largest) const;
   void addSprings(PairStates& next, Matrix free) const;
-  void glue(PairStates& next, Matrix free, const std::vector<int>& inVain) const;
+  void tie(PairStates& next, Matrix free, const std::vector<int>& inVain) const;
 
   const RigidBodyModel& rigid_;
   const LawProjection& projection_;

@@ -31,7 +31,7 @@ constexpr int kShortPatience = 3;         // steps without progress, from states
 constexpr int kShort = 7;                 // maximum number of solves from there
 // Tension relative to compression at which pairs bend a body rather than carry its loads. A coin needs 5 to 51 solves with .9, 5 to 78
 // with .7 and .8; in 600 random scenes without soft supports .8 and .9 would change one solve of 1,720, .7 would add 41.
-constexpr double kGlued = 0.9;
+constexpr double kPulled = 0.9;
 constexpr int kPredicted = 3;  // solves whose next states come from half-planes; later ones differ by single pairs
 
 constexpr double kCollapsed = 1.02;  // friction multiple at a limit equilibrium above which no other states are tried
@@ -92,17 +92,17 @@ bool StateSearch::differs(const PairStates& next) const {
 /// True if the last solution contains little information about contact on softly held bodies: their closed pairs bend bodies towards each
 /// other, so that tension balances compression, or, once that has happened, more pairs would close than are closed. \param next  states by
 /// the laws
-bool StateSearch::areGlued(const PairStates& next) {
+bool StateSearch::arePulled(const PairStates& next) {
   if (!isFrictionless() || !rigid_.soft()) return false;
   const double tension = -answer_.force.col(0).cwiseMin(0.0).sum(), compression = answer_.force.col(0).cwiseMax(0.0).sum();
-  const bool areNow = tension > kGlued * compression;
-  wereGlued_ = wereGlued_ || areNow;
+  const bool areNow = tension > kPulled * compression;
+  werePulled_ = werePulled_ || areNow;
   int closed = 0, closing = 0;
   for (std::size_t i = 0; i < next.size(); ++i) {
     closed += states_[i].closed();
     closing += next[i].closed() && !states_[i].closed();
   }
-  return areNow || (wereGlued_ && closing > closed);
+  return areNow || (werePulled_ && closing > closed);
 }
 
 /// States that hold the bodies: if the forces of `next` cannot balance the loads, the states that driven bodies reach, or those of the pads
@@ -118,7 +118,7 @@ PairStates StateSearch::held(PairStates next) {
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (!rigid_.data().canChange[i] || !next[i].closed()) continue;
     const ContactState& state = next[i];
-    if (state.status == PairStatus::Stick && projection_.rubs(i))
+    if (state.status == PairStatus::Stick && projection_.restrictsSliding(i))
       active[i].setIdentity();
     else
       active[i].col(0) = Eigen::Vector3d(1.0, state.friction * state.direction[1], state.friction * state.direction[2]).normalized();
@@ -183,7 +183,7 @@ bool StateSearch::solve(PairStates& next, double& turns) {
   ContactAnswer answer = solveHeld();
   if (!answer.solved) return false;
   answer_ = std::move(answer);
-  next = projection_.believed(states_, answer_);
+  next = projection_.atSolution(states_, answer_);
   violated_.clear();
   turns = 0.0;
   for (std::size_t i = 0; i < next.size(); ++i)
@@ -264,7 +264,7 @@ StateSearch::End StateSearch::newton(int most, int patience) {
       since = 0;
       continue;
     }
-    const bool glued = areGlued(next);
+    const bool pulled = arePulled(next);
     if (isFrictionless() && predicts_ && solves_ <= kPredicted) next = predicted(std::move(next));
     const double own = projection_.distance(states_, answer_.force, answer_.jump), before = tolerance_;
     if (isNew_) {
@@ -286,7 +286,7 @@ StateSearch::End StateSearch::newton(int most, int patience) {
     }
     if (tolerance_ < kComparable * before) isNew_ = true;
     next = held(std::move(next));
-    if (glued && pads_.near({answer_.force, answer_.jump, 0.0}, 1.0, states_, next)) {
+    if (pulled && pads_.near({answer_.force, answer_.jump, 0.0}, 1.0, states_, next)) {
       next = stabilised(std::move(next));
       isNew_ = true;  // farther from the laws, and nearer to the solution
     }
@@ -353,7 +353,7 @@ double StateSearch::contraction() const {
 PairStates StateSearch::sticking() const {
   PairStates all = states_;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (rigid_.data().canChange[i]) all[i] = projection_.rubs(i) ? PairStatus::Stick : PairStatus::Slip;
+    if (rigid_.data().canChange[i]) all[i] = projection_.restrictsSliding(i) ? PairStatus::Stick : PairStatus::Slip;
   return all;
 }
 

@@ -81,7 +81,7 @@ class StateSearch {
   void sharpen(double distance, double turns);
   bool step(PairStates& next);
   bool differs(const PairStates& next) const;
-  bool areGlued(const PairStates& next);
+  bool arePulled(const PairStates& next);
   PairStates held(PairStates next);
   PairStates stabilised(PairStates next) const;
   double largest() const;
@@ -105,7 +105,7 @@ class StateSearch {
   ContactAnswer answer_;
   std::vector<int> violated_;
   ContactBalance at_, best_, first_;  // current, closest to the laws, and first one of a try
-  bool wereGlued_ = false;            // see areGlued()
+  bool werePulled_ = false;           // see arePulled()
   bool isNew_ = true;                 // the next solution starts a new line: earlier ones are not comparable
   Vector guess_, tresca_;             // normal forces of the pads, and of the Tresca problem with bounds from them
 };

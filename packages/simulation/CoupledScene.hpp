@@ -52,7 +52,10 @@ class CoupledScene {
   const Scene& scene() const { return parts_->scene; }
   const std::vector<SubdomainMesh>& meshes() const { return parts_->cut.meshes; }  ///< subdomains of this rank
   const ProblemSize& size() const { return parts_->size; }
-  const Solution& solution() const { return solution_; }   ///< default values before solve()
+  const Solution& solution() const {  ///< after solve()
+    mustBeSolved("solution");
+    return solution_;
+  }
   ExitCode ending() const { return endingOf(solution_); }  ///< Done only after verify()
   /// Text of summary.json of the last solution, after verify(): on rank 0, empty on other ranks.
   std::string summary(const Invocation& invocation = {}) const;

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// What all stages of a run use: its ranks, its output and its clocks. Copies share everything.
+/// Ranks, output and clocks of a run, which all its stages use. Copies share everything.
 class RunContext {
  public:
   /// Without output to the console.

@@ -6,8 +6,8 @@ namespace suture {
 
 void acceptSearch(OuterSolver::Run& run, const StateSearch::Result& found) {
   if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // failure of an earlier attempt
-  const bool rubs = run.problem.contact()->laws().restrictSliding();
-  if (rubs && found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;
+  const bool restricts = run.problem.contact()->laws().restrictSliding();
+  if (restricts && found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;
   if (!found.converged) {
     run.result.slides = found.slides;
     run.result.multiple = found.multiple;
@@ -22,7 +22,7 @@ void acceptSearch(OuterSolver::Run& run, const StateSearch::Result& found) {
          << run.settings.tolerance << "; this scene cannot be solved more accurately in this precision";
     run.monitor.note(text.str());
   }
-  if (rubs && found.contraction >= 1.0)
+  if (restricts && found.contraction >= 1.0)
     run.monitor.note("friction: Coulomb fixed-point factor " + std::to_string(found.contraction) + " >= 1: the solution may not be unique");
 }
 

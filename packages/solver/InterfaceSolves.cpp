@@ -46,13 +46,13 @@ InterfaceSolves::InterfaceSolves(OuterSolver::Run& run, double inner)
 }
 
 void InterfaceSolves::precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix) {
-  const bool first = !hasPreconditioner_;
-  if (!first && run_.problem.differing(preconditioned_, state.status).empty()) return;
+  if (hasPreconditioner_ && run_.problem.differing(preconditioned_, state.status).empty()) return;
+  hasPreconditioner_ = false;  // also if this fails
   run_.preconditioner->initialize(matrix->space());
   run_.preconditioner->compute(matrix);
   preconditioned_ = state.status;
   hasPreconditioner_ = true;
-  if (first) run_.describe(*matrix);
+  run_.describe(*matrix);
 }
 
 /// Between the loosest and the tightest tolerance.

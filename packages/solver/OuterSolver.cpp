@@ -178,20 +178,20 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
           AutomaticTolerance(problem, settings.discretisationError)};
   const bool contact = problem.pairs() > 0;
   const bool bySets = contact && worksBySets() && problem.contact() != nullptr;
-  const bool rubs = contact && problem.contact() && problem.contact()->laws().restrictSliding();
-  if (rubs && !bySets)
+  const bool restricts = contact && problem.contact() && problem.contact()->laws().restrictSliding();
+  if (restricts && !bySets)
     throw InputError(
         "Outer Solver/Type",
         "the method does not support friction, which a Law of this scene has; expected 'Active Set', or 'Semismooth Newton' with Condensed "
         "Groups");
   const bool startsItself = bySets && (given || settings.rigidStart || !wantsAuxiliary());
-  result.state = given && contact                               ? *given
-                 : startsItself && settings.rigidStart && !rubs ? problem.contact()->padState()
-                                                                : problem.initialState();
+  result.state = given && contact                                    ? *given
+                 : startsItself && settings.rigidStart && !restricts ? problem.contact()->padState()
+                                                                     : problem.initialState();
   run.reported = result.state.status;
   run.given = given != nullptr;
   const int lifting = result.state.applications;
-  if (problem.space()->size() == 0 && !rubs) {  // one subdomain per body: the local problems are the whole problem
+  if (problem.space()->size() == 0 && !restricts) {  // one subdomain per body: the local problems are the whole problem
     result.converged = true;
     return result;
   }

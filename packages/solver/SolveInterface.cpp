@@ -49,10 +49,10 @@ std::string unsettled(const ContactProblem& contact, const std::vector<int>& pai
          ", or Outer Solver/Type = Monolithic";
 }
 
-std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, bool rubs,
+std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, bool frictional,
                        double multiple) {
   constexpr double kNone = 1e-8;  // relative to a unit motion
-  std::string text = std::string("no equilibrium was found: ") + (rubs ? "friction" : "contact") + " does not hold";
+  std::string text = std::string("no equilibrium was found: ") + (frictional ? "friction" : "contact") + " does not hold";
   for (std::size_t p = 0; p < parts.parts().size(); ++p) {
     const RigidPart& part = parts.parts()[p];
     if (part.free.cols() == 0) continue;
@@ -60,7 +60,7 @@ std::string slidesAway(const ContactBodies& parts, const Vector& motion, const s
     if (own.norm() >= kNone) text += " body '" + bodies.at(part.body) + "', which can " + inWords(part, own, parts.dimension()) + ",";
   }
   text.back() = text.back() == ',' ? ':' : text.back();
-  if (!rubs)
+  if (!frictional)
     return text +
            " the loads push away from all pairs that could resist this motion. A prescribed displacement or an Elastic Support would "
            "hold it";

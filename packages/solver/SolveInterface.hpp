@@ -37,9 +37,9 @@ std::string unsettled(const ContactProblem& contact, const std::vector<int>& pai
                       const std::vector<std::string>& bodies, bool atLimit = true);
 
 /// Message for a scene without equilibrium: the bodies that contact or friction does not hold, and their motion. Local.
-/// \param motion  OuterResult::slides;  \param bodies  names;  \param rubs  false: no contact has friction;  \param multiple  factor on
-/// friction that would hold them; 0: unknown
-std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, bool rubs,
+/// \param motion  OuterResult::slides;  \param bodies  names;  \param frictional  false: no contact has friction;  \param multiple  factor
+/// on friction that would hold them; 0: unknown
+std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, bool frictional,
                        double multiple = 0.0);
 
 /// Interior displacements, contact results and energy of the final state of the outer solver.

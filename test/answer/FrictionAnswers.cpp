@@ -63,9 +63,9 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, HaveForcesSlipsBoundsAndWorkOfAUniformStress)
           work += pair.dissipated;
           bound += pair.bound;
         }
-        const bool rubs = way == Rubs::Slip || way == Rubs::TrescaSlip;
-        TEST_COMPARE(std::abs(work - (rubs ? answer.shear() * RubbingBlocks::slid : 0.0)), <, 1e-15);  // the joint has the size 1
-        TEST_COMPARE(std::abs(bound - (rubs ? 1 : way == Rubs::Stick ? 2 : 0) * answer.shear()), <, 1e-13);
+        const bool frictional = way == Rubs::Slip || way == Rubs::TrescaSlip;
+        TEST_COMPARE(std::abs(work - (frictional ? answer.shear() * RubbingBlocks::slid : 0.0)), <, 1e-15);  // the joint has the size 1
+        TEST_COMPARE(std::abs(bound - (frictional ? 1 : way == Rubs::Stick ? 2 : 0) * answer.shear()), <, 1e-13);
         const ContactResultant sum = contactResultants(answer.pairs, 1, false)[0];
         const Point normal = answer.pairs.front().normal;
         TEST_COMPARE(norm(minus(sum.onB.force, plus(scaled(answer.pressure(), normal), answer.tangential()))), <, 1e-13);

@@ -95,13 +95,13 @@ TEUCHOS_UNIT_TEST(FrictionLaws, TakeBoundsAndCoefficientsFromExpressions) {
   trial.size = 0.25;
   const auto tresca = lawNamed("Tresca", {{"Bound", "tau * (1 + x)"}}, {{"tau", 7.0}}),
              coulomb = lawNamed("Coulomb", {{"Coefficient", "y"}, {"Cohesion", "x^2"}});
-  const ContactState bounded = tresca->project(trial, {}), rubs = coulomb->project(trial, {});
+  const ContactState bounded = tresca->project(trial, {}), frictional = coulomb->project(trial, {});
   TEST_FLOATING_EQUALITY(bounded.largest(2.0), 0.25 * 28.0, 1e-15);
   TEST_FLOATING_EQUALITY(bounded.largest(1e6), 0.25 * 28.0, 1e-15);  // for any pressure
   TEST_ASSERT(!bounded.couplesToNormal());
-  TEST_FLOATING_EQUALITY(rubs.largest(2.0), 0.25 * 9.0 + 0.5 * 2.0, 1e-15);
-  TEST_FLOATING_EQUALITY(rubs.largest(-2.0), 0.25 * 9.0, 1e-15);
-  TEST_ASSERT(rubs.couplesToNormal());
+  TEST_FLOATING_EQUALITY(frictional.largest(2.0), 0.25 * 9.0 + 0.5 * 2.0, 1e-15);
+  TEST_FLOATING_EQUALITY(frictional.largest(-2.0), 0.25 * 9.0, 1e-15);
+  TEST_ASSERT(frictional.couplesToNormal());
   for (const auto* law : {tresca.get(), coulomb.get()})
     for (const int dimension : {2, 3}) TEST_EQUALITY(law->rows(dimension), dimension);
 }

@@ -127,7 +127,7 @@ class Callbacks(unittest.TestCase):
         self.same_everywhere(coupling.advance, suture.InternalError, "advance() before")
         self.same_everywhere(lambda: coupling.energy, suture.InternalError, "solution() before")
         other = suture.Coupling(scene())
-        self.same_everywhere(lambda: other.set_forces(surface, surface.coordinates), suture.InternalError, "not from coupling()")
+        self.same_everywhere(lambda: other.set_forces(surface, surface.coordinates), suture.InternalError, "not from surface()")
 
     def test_numbers_are_texts_where_a_text_is_wanted(self):
         given = scene()

@@ -24,7 +24,7 @@ TEUCHOS_UNIT_TEST(PadStates, StartFromTheForcesOfStatics) {
       }
       body.begin({dry(0.0, mu)}, std::vector<int>(5, 0));
       const LawProjection projection(*body.rigid, body.laws, body.sites);
-      TEST_ASSERT(!projection.isFrictionless());  // dry() restricts sliding, even with a coefficient of zero
+      TEST_ASSERT(!projection.isFrictionless());  // dry() frictional sliding, even with a coefficient of zero
       const PadStates pads(*body.rigid, body.laws, projection);
       Vector normal;
       const PairStates states = pads.start(normal);
@@ -42,15 +42,15 @@ TEUCHOS_UNIT_TEST(PadStates, StartFromTheForcesOfStatics) {
 // Forces of the pads near any solution balance the loads, which those of the solution's own states need not.
 TEUCHOS_UNIT_TEST(PadStates, BalanceTheLoadsNearASolution) {
   std::mt19937 random(32);
-  for (const bool rubs : {false, true})
+  for (const bool frictional : {false, true})
     for (int trial = 0; trial < 50; ++trial) {
       CondensedBody body(2, 4);
       body.random(random, true);
       for (int i = 0; i < 4; ++i) body.load(2 * i) += 3.0, body.load(2 * i + 1) = i % 2 == 0 ? 1.0 : -1.0;
-      const SearchLaw law = rubs ? SearchLaw(dry(0.0, 0.3)) : SearchLaw(std::make_shared<Frictionless>());
+      const SearchLaw law = frictional ? SearchLaw(dry(0.0, 0.3)) : SearchLaw(std::make_shared<Frictionless>());
       body.begin({law}, std::vector<int>(4, 0));
       const LawProjection projection(*body.rigid, body.laws, body.sites);
-      TEST_EQUALITY(projection.isFrictionless(), !rubs);
+      TEST_EQUALITY(projection.isFrictionless(), !frictional);
       const PadStates pads(*body.rigid, body.laws, projection);
       ContactBalance at{Matrix::Zero(4, 3), Matrix::Random(4, 3), 0.0};
       at.jump.col(2).setZero();

@@ -345,13 +345,13 @@ TEUCHOS_UNIT_TEST(StateSearch, KeepsAPairAtItsBoundWithLargeFriction) {
     answer.force.row(0).tail(2) = (3.0 + beyond * size) * Eigen::RowVector2d(0.6, -0.8);
     for (const PairStatus status : {PairStatus::Slip, PairStatus::Stick}) {
       const PairStates now{{status, {0.0, 0.6, -0.8}, 0.0, mu}};
-      TEST_ASSERT(projection.believed(now, answer)[0].status == status);
+      TEST_ASSERT(projection.atSolution(now, answer)[0].status == status);
     }
   }
   answer.force.row(0).tail(2) = 3.1 * Eigen::RowVector2d(0.6, -0.8);
-  TEST_ASSERT(projection.believed({PairStatus::Stick}, answer)[0].status == PairStatus::Slip);
+  TEST_ASSERT(projection.atSolution({PairStatus::Stick}, answer)[0].status == PairStatus::Slip);
   answer.force.row(0).tail(2) = 2.9 * Eigen::RowVector2d(0.6, -0.8);
-  TEST_ASSERT(projection.believed({{PairStatus::Slip, {0.0, 0.6, -0.8}, 0.0, mu}}, answer)[0].status == PairStatus::Stick);
+  TEST_ASSERT(projection.atSolution({{PairStatus::Slip, {0.0, 0.6, -0.8}, 0.0, mu}}, answer)[0].status == PairStatus::Stick);
 }
 
 TEUCHOS_UNIT_TEST(StateSearch, GoesOnFromItsOwnSolutionWithOneSolve) {

@@ -367,6 +367,7 @@ TEUCHOS_UNIT_TEST(Coupling, IsRefusedTheSameOnAllRanks) {
   TEST_THROW(simulation.verify(), InternalError);
   TEST_THROW(other.setForces(surface, std::vector<double>(surface.coordinates.size(), 0.0)), InternalError);
   TEST_THROW(simulation.summary(), InternalError);
+  TEST_THROW(simulation.solution(), InternalError);
   TEST_ASSERT(simulation.ending() != ExitCode::Done);
   simulation.solve();
   TEST_ASSERT(simulation.ending() == ExitCode::Done);

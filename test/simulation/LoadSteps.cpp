@@ -48,7 +48,7 @@ const char* const twoBlocks = R"xml(<ParameterList name="Suture">
 
 Scene sceneWith(const std::vector<std::string>& settings) { return sceneOf(parseScene(twoBlocks, "two blocks", sceneSchema(), settings)); }
 
-const std::vector<std::string> rubs{"Contact/joint/Law=Coulomb", "Contact/joint/Coulomb/Coefficient=0.3"};
+const std::vector<std::string> frictional{"Contact/joint/Law=Coulomb", "Contact/joint/Coulomb/Coefficient=0.3"};
 
 std::vector<std::string> with(std::vector<std::string> settings, const std::vector<std::string>& more) {
   settings.insert(settings.end(), more.begin(), more.end());
@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, APathWithoutFrictionEndsWhereTheSceneAloneIs) {
 }
 
 TEUCHOS_UNIT_TEST(LoadSteps, AStepWithFrictionIsTheSceneOfOneStep) {
-  Path path(with(rubs, {"Load Steps/Times={1}"})), alone(rubs);
+  Path path(with(frictional, {"Load Steps/Times={1}"})), alone(frictional);
   path.solve();
   alone.solve();
   TEST_ASSERT(path.simulation.ending() == ExitCode::Done);
@@ -108,10 +108,10 @@ TEUCHOS_UNIT_TEST(LoadSteps, AStepWithFrictionIsTheSceneOfOneStep) {
 // Pressed, pushed and pushed back: by the interface and by the reference, which keep histories in different ways.
 TEUCHOS_UNIT_TEST(LoadSteps, APathWithFrictionIsTheReferencesPath) {
   const std::vector<std::string> back =
-      with(rubs, {"Load Steps/Times={1, 2, 3, 4}", "Load Steps/Factors/press=min(t, 1)", "Load Steps/Factors/push={0, 1, 0.3, -0.5}",
-                  "Load Steps/Factors/side={0, 0, 0.5, 0}", "Load Steps/Largest Change=1"});
+      with(frictional, {"Load Steps/Times={1, 2, 3, 4}", "Load Steps/Factors/press=min(t, 1)", "Load Steps/Factors/push={0, 1, 0.3, -0.5}",
+                        "Load Steps/Factors/side={0, 0, 0.5, 0}", "Load Steps/Largest Change=1"});
   Path path(back), reference(with(back, {"Outer Solver/Type=Monolithic"})),
-      alone(with(rubs, {"Boundary Conditions/push/Value={-0.005}", "Boundary Conditions/side/Expression=0*x"}));
+      alone(with(frictional, {"Boundary Conditions/push/Value={-0.005}", "Boundary Conditions/side/Expression=0*x"}));
   const Solution& a = path.solve();
   reference.solve();
   alone.solve();
@@ -129,8 +129,9 @@ TEUCHOS_UNIT_TEST(LoadSteps, APathWithFrictionIsTheReferencesPath) {
 // A run that ends at time 2, and one that continues from its checkpoint to 4, equal to an uninterrupted run.
 TEUCHOS_UNIT_TEST(LoadSteps, APathGoesOnFromItsCheckpoint) {
   const std::string ranks = std::to_string(blocks::world()->getSize()), folder = "load_steps_" + ranks;
-  const std::vector<std::string> back = with(rubs, {"Load Steps/Factors/press=min(t, 1)", "Load Steps/Factors/push=sin(t)",
-                                                    "Contact/joint/Coulomb/Cohesion=1e3", "Contact/joint/Coulomb/Cohesion Lost=true"});
+  const std::vector<std::string> back =
+      with(frictional, {"Load Steps/Factors/press=min(t, 1)", "Load Steps/Factors/push=sin(t)", "Contact/joint/Coulomb/Cohesion=1e3",
+                        "Contact/joint/Coulomb/Cohesion Lost=true"});
   Path whole(with(back, {"Load Steps/Times={1, 2, 3, 4}"})), first(with(back, {"Load Steps/Times={1, 2}"})),
       second(with(back, {"Load Steps/Times={1, 2, 3, 4}"}));
   const Solution& expected = whole.solve();
@@ -150,8 +151,9 @@ TEUCHOS_UNIT_TEST(LoadSteps, APathGoesOnFromItsCheckpoint) {
 
 // A lid dragged over a plane: more than a fifth of its pairs begin to slide in one step, until steps are short.
 TEUCHOS_UNIT_TEST(LoadSteps, AStepInWhichManyPairsChangeIsHalved) {
-  const std::vector<std::string> drawn = with(rubs, {"Load Steps/Times={1, 2}", "Load Steps/Factors/press=min(t, 1)",
-                                                     "Load Steps/Factors/push=max(0, t - 1)", "Boundary Conditions/side/Expression=0*x"});
+  const std::vector<std::string> drawn =
+      with(frictional, {"Load Steps/Times={1, 2}", "Load Steps/Factors/press=min(t, 1)", "Load Steps/Factors/push=max(0, t - 1)",
+                        "Boundary Conditions/side/Expression=0*x"});
   const auto stepsOf = [&](const std::vector<std::string>& settings) {
     const std::string folder = "load_steps_halved_" + std::to_string(blocks::world()->getSize());
     Path path(settings);

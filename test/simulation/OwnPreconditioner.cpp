@@ -56,12 +56,12 @@ Scene twoPressedBlocks(const std::vector<std::string>& settings) {
 }
 
 TEUCHOS_UNIT_TEST(OwnPreconditioner, MayApplyTheOperator) {
-  for (const bool rubs : {false, true}) {
+  for (const bool frictional : {false, true}) {
     const auto solved = [&](const std::vector<std::string>& more) {
       std::vector<std::string> settings{"Partition/METIS/Subdomains=6", "Outer Solver/Tolerance=1e-10"};
       settings.insert(settings.end(), more.begin(), more.end());
       Scene scene = twoPressedBlocks(settings);
-      if (rubs) scene.laws = ContactLaws({scenes::dry(0.0, 0.2)});
+      if (frictional) scene.laws = ContactLaws({scenes::dry(0.0, 0.2)});
       Simulation simulation(blocks::world(), scene);
       const Solution& found = simulation.solve();
       TEST_ASSERT(simulation.ending() == ExitCode::Done);

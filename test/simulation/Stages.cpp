@@ -41,9 +41,9 @@ TEUCHOS_UNIT_TEST(Stages, GiveASolutionAndThenItsVerdict) {
   TEST_ASSERT(!Verification().holds());
   for (const std::string method : {"Active Set", "Monolithic"}) {
     MeshedScene meshed = read(RunContext(blocks::world()), blockOnBlock({"Outer Solver/Type=" + method}));
-    if (blocks::world()->getRank() == 0) TEST_EQUALITY(meshed.mesh().elements(), 8);
+    if (blocks::world()->getRank() == 0) TEST_EQUALITY(meshed.mesh().elements(), 16);
     PreparedScene prepared = prepare(check(cut(std::move(meshed))));
-    TEST_EQUALITY(prepared.size().elements, 8);
+    TEST_EQUALITY(prepared.size().elements, 16);
     SolvedScene solved = solve(std::move(prepared));
     TEST_ASSERT(solved.solution().converged);
     TEST_ASSERT(endingOf(solved.solution()) != ExitCode::Done);

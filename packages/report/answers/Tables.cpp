@@ -52,9 +52,9 @@ std::string csvNumber(double value, double largest) {
 }
 
 void writeContactTable(const Run& run, const std::string& path) {
-  const bool rubs = hasFriction(run.solution.pairs);
+  const bool frictional = hasFriction(run.solution.pairs);
   std::string text = "pair,contact,body_a,body_b,x,y,z,nx,ny,nz,arc_length,initial_gap,gap,pressure,force,length,status";
-  text += rubs ? ",tx,ty,tz,slip_x,slip_y,slip_z,bound,dissipated,sliding\n" : "\n";
+  text += frictional ? ",tx,ty,tz,slip_x,slip_y,slip_z,bound,dissipated,sliding\n" : "\n";
   double place = 0.0, gap = 0.0, pressure = 0.0, force = 0.0;
   for (const PairResult& pair : run.solution.pairs) {
     place = std::max(place, norm(pair.position));
@@ -68,7 +68,7 @@ void writeContactTable(const Run& run, const std::string& path) {
             "," + csvField(bodyName(run, pair.bodies[1])) + vectorFields(pair.position, place) + vectorFields(pair.normal, 1.0) +
             csvNumber(pair.arc, place) + csvNumber(pair.initialGap, gap) + csvNumber(pair.gap, gap) + csvNumber(pair.pressure, pressure) +
             csvNumber(pair.force, force) + csvNumber(pair.length, 0.0) + "," + statusOf(pair);
-    if (rubs)
+    if (frictional)
       text += vectorFields(pair.tangential, force) + vectorFields(pair.slip, gap) + csvNumber(pair.bound, force) +
               csvNumber(pair.dissipated, force * gap) + "," + slidingOf(pair);
     text += "\n";
