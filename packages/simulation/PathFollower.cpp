@@ -27,7 +27,8 @@ constexpr double kSudden = 0.9;     // fraction of the changes of a step found i
 // critical: with .5, .75, 1 and without plan a fault needs 502, 646, 588, 696 iterations of conjugate gradients, a stick-slip cycle 1,534,
 // 1,440, 1,555, 1,551, a pad that is unloaded 222, 230, 177, 435.
 constexpr double kPlanned = 0.5;
-constexpr double kWork = 100.0;  // allowed imbalance of work, in accuracies of a solution
+constexpr double kSameLoads = 1e-6;  // relative difference of changes of loads that counts as round-off of their expressions
+constexpr double kWork = 100.0;      // allowed imbalance of work, in accuracies of a solution
 
 std::string timeText(double time) {
   std::ostringstream text;
@@ -44,11 +45,14 @@ PathFollower::PathFollower(SceneParts& parts, RepeatedSolver& solver, PathState 
 
 /// The verified solution at the time of the path; any failure makes it not converged, with the reason. Parameters as of
 /// RepeatedSolver::solve().
-Solution PathFollower::solveStep(const Solution* before, bool isPrepared) {
+Solution PathFollower::solveStep(const Solution* before, bool isPrepared, double time) {
   Solution solution;
   brokeDown_ = false;
   try {
-    solution = solver_.solve(before, isPrepared);
+    std::vector<Vector> expected;
+    const double part = before ? continues(time) : 0.0;
+    for (std::size_t i = 0; part != 0.0 && i < lastChange_.size(); ++i) expected.push_back(before->displacement[i] + part * lastChange_[i]);
+    solution = solver_.solve(before, isPrepared, part != 0.0 ? &expected : nullptr);
     if (solution.converged) judgeSolution(parts_, solver_.method().subdomains(), solution);
   } catch (const NumericalError& error) {
     brokeDown_ = true;
@@ -56,6 +60,23 @@ Solution PathFollower::solveStep(const Solution* before, bool isPrepared) {
     solution.failure = error.what();
   }
   return solution;
+}
+
+/// Changes of the loads up to a time, in units of those in the last step, if all of them change in the same proportion: as long as no pair
+/// changes, the displacements change like the loads. Zero: they do not, or friction of the last step was in the other direction.
+double PathFollower::continues(double time) const {
+  if (lastBegin_ < 0.0) return 0.0;
+  const LoadSteps& steps = parts_.scene.steps;
+  const std::vector<double> before = steps.at(lastBegin_), now = steps.at(path().time()), next = steps.at(time);
+  double square = 0.0, product = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    square += (now[i] - before[i]) * (now[i] - before[i]);
+    product += (now[i] - before[i]) * (next[i] - now[i]);
+  }
+  const double part = square > 0.0 ? product / square : 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (std::abs(next[i] - now[i] - part * (now[i] - before[i])) > kSameLoads * std::abs(part) * std::sqrt(square)) return 0.0;
+  return part < 0.0 && parts_.scene.laws.restrictSliding() ? 0.0 : part;
 }
 
 /// States of the pairs at the end of the last step, if there is friction: few sticking pairs indicate that a body begins to slide.
@@ -148,7 +169,7 @@ Solution PathFollower::follow() {
     const double time = isLast ? *target : begin + path().length, length = time - begin;
     monitor().beginStep(static_cast<int>(path().rows.size()) + 1);
     path().setTime(time, scene().model, parts_.cut.meshes, parts_.constraints);
-    Solution solution = solveStep(hasBefore ? &before : nullptr, isPrepared);
+    Solution solution = solveStep(hasBefore ? &before : nullptr, isPrepared, time);
     isPrepared = false;
     row.outer += solution.iterations;
     row.pcg += solution.pcgTotal + solution.auxiliary.pcg;
@@ -193,6 +214,10 @@ Solution PathFollower::follow() {
       broadcastBytes(comm(), &planned, sizeof planned);
       path().length = std::min(path().length, std::max(planned, whole * std::pow(0.5, scene().steps.halvings())));
     }
+    lastChange_.clear();
+    for (std::size_t i = 0; hasBefore && i < before.displacement.size(); ++i)
+      lastChange_.push_back(solution.displacement[i] - before.displacement[i]);
+    lastBegin_ = hasBefore ? begin : -1.0;
     before = std::move(solution);
     hasBefore = true;
     if (isLast) ++target;

@@ -4,6 +4,7 @@
 #include <suture/simulation/SceneParts.hpp>
 
 #include <string>
+#include <vector>
 
 namespace suture {
 
@@ -23,7 +24,8 @@ class PathFollower {
   const Doubts& doubts() const { return doubts_; }
 
  private:
-  Solution solveStep(const Solution* before, bool isPrepared);
+  Solution solveStep(const Solution* before, bool isPrepared, double time);
+  double continues(double time) const;
   std::string lastStates() const;
   void goOnFromStart(Solution& before);
   void acceptStep(Solution& solution, const Solution* before, StepRow row);
@@ -40,7 +42,9 @@ class PathFollower {
   WorkMeter meter_;
   Doubts doubts_;
   std::string unfinished_;
-  bool brokeDown_ = false;  // the last trial of a step left no solution
+  bool brokeDown_ = false;          // the last trial of a step left no solution
+  std::vector<Vector> lastChange_;  // displacements of the last step
+  double lastBegin_ = -1.0;         // time at which it began; negative: there was none
 };
 
 }  // namespace suture

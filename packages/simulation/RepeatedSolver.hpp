@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace suture {
 
@@ -14,9 +15,11 @@ class RepeatedSolver {
   RepeatedSolver(SceneParts& parts, std::unique_ptr<Method> method, std::optional<Start> start)
       : parts_(parts), method_(std::move(method)), start_(std::move(start)) {}
 
-  /// The solution for the present loads. Collective. \param before  initial guess; null: the start \param isPrepared  the method is
-  /// prepared for these loads
-  Solution solve(const Solution* before, bool isPrepared);
+  /// The solution for the present loads. Collective.
+  /// \param before        initial guess; null: the start
+  /// \param isPrepared    the method is prepared for these loads
+  /// \param displacement  better initial displacements of each subdomain than those of `before`; null: none
+  Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr);
 
   const Method& method() const { return *method_; }
   /// Hands the method over; no solution afterwards.

@@ -105,6 +105,17 @@ TEUCHOS_UNIT_TEST(LoadSteps, AStepWithFrictionIsTheSceneOfOneStep) {
   TEST_COMPARE(distanceBetween(path, alone), <, 1e-9);
 }
 
+// While all pairs stick, displacements change like the loads: a step begins at its solution, and only verifies it.
+TEUCHOS_UNIT_TEST(LoadSteps, StepsBeginWhereTheLastOneLeads) {
+  const std::vector<std::string> sticking{"Contact/joint/Law=Coulomb", "Contact/joint/Coulomb/Coefficient=5",
+                                          "Boundary Conditions/side/Expression=0*x", "Load Steps/Factors/push=0.1*t"};
+  Path two(with(sticking, {"Load Steps/Times={1, 2}"})), six(with(sticking, {"Load Steps/Times={1, 2, 3, 4, 5, 6}"}));
+  const int first = two.solve().pcgTotal, all = six.solve().pcgTotal;
+  TEST_ASSERT(two.simulation.ending() == ExitCode::Done && six.simulation.ending() == ExitCode::Done);
+  out << first << " applications for two steps, " << all << " for six\n";
+  TEST_COMPARE(all - first, <=, 4 * 5);  // an iteration takes one, a step from its old place 20 to 30
+}
+
 // Pressed, pushed and pushed back: by the interface and by the reference, which keep histories in different ways.
 TEUCHOS_UNIT_TEST(LoadSteps, APathWithFrictionIsTheReferencesPath) {
   const std::vector<std::string> back =
