@@ -52,13 +52,17 @@ std::string unsettled(const ContactProblem& contact, const std::vector<int>& pai
 std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, bool frictional,
                        double multiple) {
   constexpr double kNone = 1e-8;  // relative to a unit motion
+  constexpr int kNamed = 20;
+  int moving = 0;
   std::string text = std::string("no equilibrium was found: ") + (frictional ? "friction" : "contact") + " does not hold";
   for (std::size_t p = 0; p < parts.parts().size(); ++p) {
     const RigidPart& part = parts.parts()[p];
     if (part.free.cols() == 0) continue;
     const Vector own = parts.amplitudes(static_cast<int>(p), motion);
-    if (own.norm() >= kNone) text += " body '" + bodies.at(part.body) + "', which can " + inWords(part, own, parts.dimension()) + ",";
+    if (own.norm() >= kNone && ++moving <= kNamed)
+      text += " body '" + bodies.at(part.body) + "', which can " + inWords(part, own, parts.dimension()) + ",";
   }
+  if (moving > kNamed) text += " and " + std::to_string(moving - kNamed) + " more bodies,";
   text.back() = text.back() == ',' ? ':' : text.back();
   if (!frictional)
     return text +

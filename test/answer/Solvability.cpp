@@ -47,6 +47,20 @@ TEUCHOS_UNIT_TEST(Solvability, FindsTheMotionsThatPrescribedComponentsLeave) {
   TEST_EQUALITY(freeOf(0).cols(), 0);
 }
 
+TEUCHOS_UNIT_TEST(Solvability, DescribesTheMotionsOfTwentyBodiesAndNamesTheOthers) {
+  std::vector<Box> many(25);
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    many[i].name = "b" + std::to_string(i);
+    many[i].x0 = 2.0 * static_cast<double>(i);
+    many[i].x1 = many[i].x0 + 1.0;
+  }
+  const std::string text = verdict(scenes::fromBoxes(many, 1.0, 0.3));
+  out << text << "\n";
+  TEST_ASSERT(says(text, "body 'b19' is not held"));
+  TEST_ASSERT(!says(text, "body 'b20'"));
+  TEST_ASSERT(says(text, "5 more bodies are not held: b20, b21, b22, b23, b24"));
+}
+
 TEUCHOS_UNIT_TEST(Solvability, PartsOfABodyThatDoNotTouchAreLooseOneByOne) {
   Scene scene = scenes::twoBlocks(2, 2, 2);
   scene.mesh.bodyOfElement.assign(scene.mesh.elements(), 0);  // two separate parts, one body
@@ -221,6 +235,8 @@ TEUCHOS_UNIT_TEST(Solvability, FindsTheMotionsOfManyBlocks) {
   const auto bodies = [&](const std::string& text) {
     int named = 0;
     for (int i = 0; i < count; ++i) named += says(text, "body 'b" + std::to_string(i) + "'");
+    for (int more = 1; more < count; ++more)
+      if (says(text, " " + std::to_string(more) + " more bodies are not held")) named += more;
     return named;
   };
   const auto push = [&](Scene& scene, double x) {

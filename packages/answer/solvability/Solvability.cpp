@@ -188,6 +188,31 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
   }
 }
 
+constexpr std::size_t kNamed = 20;  // bodies of which each motion is described; of a wall that topples, hundreds move in similar ways
+
+/// Refused bodies: the first ones with their motions, the others by name.
+class Refusals {
+ public:
+  explicit Refusals(Problems& problems) : problems_(problems) {}
+
+  void add(const std::string& body, const std::string& message) {
+    if (++count_ <= kNamed)
+      problems_.add("Bodies/" + body, "body '" + body + "'" + message);
+    else
+      others_.push_back(body);
+  }
+  /// \throws InputError  if there are any problems
+  void throwIfAny() {
+    if (!others_.empty()) problems_.add("Bodies", std::to_string(others_.size()) + " more bodies are not held: " + joinNames(others_));
+    problems_.throwIfAny();
+  }
+
+ private:
+  Problems& problems_;
+  std::size_t count_ = 0;
+  std::vector<std::string> others_;
+};
+
 }  // namespace
 
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid) {
@@ -198,8 +223,8 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
   std::vector<char> inContact(parts, 0);
   for (const ContactPair& pair : constraints.pairs)
     for (const PairEnd& end : pair.ends) inContact[rigid.partOfNode[end.node]] = 1;
-  const auto path = [&](int part) { return "Bodies/" + mesh.bodies[rigid.parts[part].body]; };
-  const auto name = [&](int part) { return "body '" + mesh.bodies[rigid.parts[part].body] + "'"; };
+  Refusals refusals(problems);
+  const auto name = [&](int part) { return mesh.bodies[rigid.parts[part].body]; };
 
   Modes modes;
   for (int part = 0; part < parts; ++part) {
@@ -207,16 +232,15 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     modes.count += int(rigid.parts[part].free.cols());
     const RigidPart& r = rigid.parts[part];
     if (inContact[part] || r.free.cols() == 0) continue;
-    problems.add(path(part),
-                 name(part) +
-                     (r.free.cols() == r.free.rows()
-                          ? " is not held: it has no prescribed displacement, no Elastic Support and no contact"
-                          : " can " + inWords(r, r.free, dimension) +
-                                ": it has no contact, and no prescribed displacement or Elastic Support prevents this motion") +
+    refusals.add(name(part),
+                 (r.free.cols() == r.free.rows()
+                      ? std::string(" is not held: it has no prescribed displacement, no Elastic Support and no contact")
+                      : " can " + inWords(r, r.free, dimension) +
+                            ": it has no contact, and no prescribed displacement or Elastic Support prevents this motion") +
                      ". Prescribe displacements on it, make one of its sides Bilateral or an Elastic Support, or bring it into contact");
   }
   if (modes.count == 0 || !problems.empty()) {
-    problems.throwIfAny();
+    refusals.throwIfAny();
     return;
   }
 
@@ -244,12 +268,12 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
       const RigidPart& r = rigid.parts[part];
       const Vector own = escape.segment(modes.first[part], r.free.cols());
       if (own.norm() <= std::max(noWork * force[part] / loads, 1e-13) || own.norm() < 1e-3 * escape.norm()) continue;
-      problems.add(path(part),
-                   name(part) + " can " + inWords(r, Vector(r.free * own), dimension) +
+      refusals.add(name(part),
+                   " can " + inWords(r, Vector(r.free * own), dimension) +
                        ": the loads push it there and neither a prescribed displacement nor contact stops it. Prescribe a displacement "
                        "that holds it, or load it against its contact");
     }
-    problems.throwIfAny();
+    refusals.throwIfAny();
   }
 
   for (int part = 0; part < parts && sliding.cols() > 0; ++part) {
@@ -257,12 +281,12 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     if (r.free.cols() == 0) continue;
     const Matrix own = spanOf(sliding.middleRows(modes.first[part], r.free.cols()));
     if (own.cols() == 0) continue;
-    problems.add(path(part),
-                 name(part) + " can " + inWords(r, Matrix(r.free * own), dimension) +
+    refusals.add(name(part),
+                 " can " + inWords(r, Matrix(r.free * own), dimension) +
                      " without opening its contacts: nothing holds it and no load pushes it, so that its place is not determined. "
                      "Prescribe that displacement somewhere on it");
   }
-  problems.throwIfAny();
+  refusals.throwIfAny();
 }
 
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected) {
