@@ -58,11 +58,12 @@ def patched(work):
 
 
 def build(work):
-    for command in (["cmake", "-S", str(work / "source"), "-B", str(work / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+    folder = work / "source" / "build"
+    for command in (["cmake", "-S", str(work / "source"), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                      "-DSUTURE_UNITY=ON", "-DSUTURE_TESTS=OFF"],
-                    ["ninja", "-C", str(work / "build"), "suture_solve"]):
+                    ["ninja", "-C", str(folder), "suture_solve"]):
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    return work / "build" / "drivers" / "suture_solve"
+    return folder / "drivers" / "suture_solve"
 
 
 def write_scenes(work, friction, wide):
@@ -101,8 +102,8 @@ def variants(kind, value):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--work", type=Path, required=True)
-    parser.add_argument("--friction", type=int, default=100)
-    parser.add_argument("--wide", type=int, default=60)
+    parser.add_argument("--friction", type=int, default=40)
+    parser.add_argument("--wide", type=int, default=20)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="constants whose file or name matches")
     options = parser.parse_args()
