@@ -44,9 +44,9 @@ class InterfaceRows {
 
   /// Gaps of all rows (ContactClusters::gaps) for a trace on the overlap. Local.
   Vector gaps(const Matrix& trace, const Vector& moved) const { return clusters_->gaps(trace.col(0), moved); }
-  /// Forces and displacements of a pair. \param force, gaps, moved  of all rows \param trace  on the overlap
+  /// Forces and displacements of a pair. \param force, gaps  of all rows
   PairForces pairForces(int i, const Vector& force, const Vector& gaps) const;
-  /// Magnitude of the displacements whose difference is the gap of a pair. [length]
+  /// Magnitude of the displacements whose difference is the gap of a pair. [length] \param trace  on the overlap \param moved  of all rows
   double digits(int i, const Matrix& trace, const Vector& moved) const;
   /// Adds the known tangential forces of slipping pairs and the forces of transverse springs to an imbalance. \param gaps  of all rows
   void addSlipForces(const std::vector<ContactState>& states, const Vector& gaps, Matrix& imbalance) const;

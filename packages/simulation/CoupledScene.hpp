@@ -30,8 +30,8 @@ class CoupledScene {
 
   /// Nodes of a side group. Before the first solve(), once per group. \throws InputError  an unknown group (suggests the nearest name)
   CouplingSurface surface(const std::string& group);
-  /// Sets the forces on the surface's nodes: nodes x dimension, node-major, Cartesian [force]; initially zero. They are added to the loads
-  /// of the scene. \throws InputError  a wrong number of values, or a value that is not finite
+  /// Sets the forces on the surface's nodes, in addition to the loads of the scene: nodes x dimension, node-major, Cartesian [force];
+  /// initially zero. \throws InputError  a wrong number of values, or a value that is not finite
   void setForces(const CouplingSurface& surface, const std::vector<double>& forces);
   /// Sets the forces from tractions at the nodes, interpolated by the shape functions [stress].
   void setTractions(const CouplingSurface& surface, const std::vector<double>& tractions);

@@ -24,8 +24,8 @@ constexpr double kSameTime = 1e-9;  // fraction of a step: a time nearer to its 
 constexpr double kEasy = 0.5;       // fraction of the largest change, below which the next step is longer
 constexpr double kSudden = 0.9;     // fraction of the changes of a step found in its half that marks a sudden change
 // Part of the largest change that the next step is planned for: pairs that slip pass their load on, so that more change than predicted. Not
-// critical: with .5, .75, 1 and without plan a fault needs 502, 646, 588, 696 iterations of conjugate gradients, a stick-slip cycle 1,534,
-// 1,440, 1,555, 1,551, a pad that is unloaded 222, 230, 177, 435.
+// critical: with .5, .75, 1 and without plan (and before steps were extrapolated) a fault needs 502, 646, 588, 696 iterations of conjugate
+// gradients, a stick-slip cycle 1,534, 1,440, 1,555, 1,551, a pad that is unloaded 222, 230, 177, 435.
 constexpr double kPlanned = 0.5;
 constexpr double kSameLoads = 1e-6;  // relative difference of changes of loads that counts as round-off of their expressions
 constexpr double kWork = 100.0;      // allowed imbalance of work, in accuracies of a solution

@@ -16,7 +16,7 @@ namespace {
 constexpr int kRestarts = 6;           // maximum number of restarts of conjugate gradients whose recursive residual has drifted
 constexpr double kStalled = 0.5;       // reduction of global and body residuals by a restart above which they stagnate at round-off
 constexpr double kPairDigits = 1e-12;  // round-off of a pair force relative to the largest in its cluster
-constexpr int kRescales = 4;
+constexpr int kRescales = 4;           // maximum number of further solves because the solution is smaller than assumed
 constexpr double kKept =
     0.02;  // least factor on the tolerance inherited from the previous final set: a body that needed a smaller one may be free now
 constexpr double kOverestimate = 2.0;  // overestimate of the energy norm of the solution above which a solve is resumed
@@ -58,7 +58,8 @@ void InterfaceSolves::precondition(const InterfaceState& state, const Teuchos::R
 /// Between the loosest and the tightest tolerance.
 double InterfaceSolves::middle() const { return std::sqrt(inner_ * run_.settings.tolerance); }
 
-/// At the end the residual of each body is small compared with its energy, so its pairs have their own resolution.
+/// At the end the residual of each body is small compared with its energy, so its pairs have their own resolution. With friction, pairs
+/// keep that of their cluster.
 PairResolution InterfaceSolves::finalResolution() const {
   const double final = run_.settings.tolerance;
   PairResolution result = resolution(final);

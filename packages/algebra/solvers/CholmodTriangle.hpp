@@ -10,8 +10,8 @@ namespace suture {
 
 class SingleFactor;
 
-/// The triangle L of a CHOLMOD factorisation A = L L^T: substitutions, also with its first columns only, which CHOLMOD does not offer, and
-/// what else is read from its entries. Rows and columns are in the order of L. Internal to this package; local, const.
+/// The triangle L of a CHOLMOD factorisation A = L L^T: substitutions, also with its first columns only, which CHOLMOD does not offer;
+/// pivots, trailing products and copies. Rows and columns are in the order of L. Internal to this package; local, const.
 class CholmodTriangle {
  public:
   CholmodTriangle() = default;  ///< triangle of an empty matrix
