@@ -10,6 +10,8 @@ namespace suture {
 
 namespace {
 
+constexpr double kOneSided = 0.5;  // sum of a pair's weights, one in magnitude with an obstacle and zero within a body
+
 struct EndShare {
   int pair, end, body;
   Point displacement;  // without the lift
@@ -157,7 +159,10 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
       PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id), pair->second.kind,
                                                            motion == motions.end() ? std::vector<Point>() : motion->second));
       result.initialGap = pair->second.gap;
-      for (const auto& [body, weight] : weights.at(force.id)) result.bodies[weight > 0.0 ? 0 : 1] = body;
+      const std::map<int, double>& ofBodies = weights.at(force.id);
+      for (const auto& [body, weight] : ofBodies) result.bodies[weight > 0.0 ? 0 : 1] = body;
+      // A body on both sides: its weights sum to zero.
+      if (ofBodies.size() == 1 && std::abs(ofBodies.begin()->second) < kOneSided) result.bodies = {ofBodies.begin()->first, ofBodies.begin()->first};
     }
   });
   return results;

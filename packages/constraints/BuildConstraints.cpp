@@ -113,8 +113,10 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
   std::vector<char> held(mesh.bodies.size(), 0);
   for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // so far from boundary conditions only
   for (const SpringDirection& spring : constraints.springs) held[mesh.bodyOfNode[spring.node]] = 1;
-  for (const ContactPiece& piece : constraints.pieces)
+  for (const ContactPiece& piece : constraints.pieces) {
+    if (piece.isWithinOneBody) continue;
     for (const int body : piece.bodies) held[body] = 1;
+  }
   for (std::size_t body = 0; body < mesh.bodies.size(); ++body)
     if (!held[body])
       problems.add("Bodies/" + mesh.bodies[body],

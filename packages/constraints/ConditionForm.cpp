@@ -22,7 +22,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 const std::vector<ConditionForm>& conditionForms() {
   static const std::vector<ConditionForm> all{
-      {"Displacement", Type::Displacement, Place::Sides, kVector, kVectorInSpace, true, {}, {}, ""},
+      {"Displacement", Type::Displacement, Place::Sides, kVector, kVectorInSpace, true, {}, {"Point", "Tolerance"}, ""},
       {"Bilateral", Type::Bilateral, Place::Sides, {}, {}, false, {}, {}, "the normal displacement is zero"},
       {"Traction", Type::Traction, Place::Sides, kVector, kVectorInSpace, true, {}, {}, ""},
       {"Pressure", Type::Pressure, Place::Sides, kScalar, kScalar, true, {}, {}, ""},
@@ -98,12 +98,12 @@ Schema boundaryConditionSchema() {
       .texts(
           "Group", std::nullopt,
           "curve group of the mesh (in 3D surface group) on which the condition acts, or several as {left, right}; not for body loads and "
-          "point loads")
+          "conditions at a Point")
       .orOne()
       .optional()
       .oneOf(
           "Type", std::nullopt, names,
-          "Displacement: prescribed; Bilateral: zero normal displacement, free to slide; Traction: force vector per undeformed area; "
+          "Displacement: prescribed, of a group or of the node at a Point; Bilateral: zero normal displacement, free to slide; Traction: force vector per undeformed area; "
           "Pressure: > 0 pushes into the body; Force: total force on a group, as a uniform traction; Moment: total moment "
           "on a group about its centroid, as a traction that grows linearly from there, counterclockwise > 0 in 2D; Point Force: "
           "at a node, where stresses are then singular; Body Force: force per volume; Gravity: acceleration, on the Density of the "
@@ -152,13 +152,13 @@ Schema boundaryConditionSchema() {
       .optional()
       .oneOf("Components", "All", {"All", "x", "y", "z", "xy", "xz", "yz"},
              "components that a Displacement or Mean Displacement prescribes; the others are free")
-      .text("Body", std::nullopt, "body on which a body load acts, by default all bodies; body whose node a Point Force acts on")
+      .text("Body", std::nullopt, "body on which a body load acts, by default all bodies; body of the node of a condition at a Point")
       .optional()
       .reals("Point", std::nullopt,
-             "position of a Point Force; point about which a Rotation turns in 2D, or a point of its axis in 3D, by default the origin",
+             "position of a Point Force, or of the single node that a Displacement holds; point about which a Rotation turns in 2D, or a point of its axis in 3D, by default the origin",
              "length")
       .optional()
-      .real("Tolerance", std::nullopt, "Point Force: largest distance of the nearest node; by default 1e-6 of the bodies' extent",
+      .real("Tolerance", std::nullopt, "Point Force, Displacement at a Point: largest distance of the nearest node; by default 1e-6 of the bodies' extent",
             Range::positive(), "length")
       .optional()
       .reals("Direction", std::nullopt, "Preload: the axis of the bolt, a vector of any length")

@@ -1,5 +1,8 @@
+#include <suture/base/Point.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ConditionForm.hpp>
+#include <suture/mesh/BoxTree.hpp>
+#include <suture/mesh/NodeAtPoint.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -31,6 +34,21 @@ void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems
     if (const std::string problem = sideGroupProblem(mesh, group); !problem.empty()) wrong("Group", problem);
 }
 
+/// Finds the node of a condition at a point.
+void findNode(const Mesh& mesh, Condition& condition, Problems& problems) {
+  if (!condition.point) return;
+  BoundingBox box;
+  for (int node = 0; node < mesh.nodes(); ++node) box.include(mesh.point(node));
+  NodeAtPoint all(*condition.point, norm(minus(box.high, box.low)));
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const int body = mesh.bodyOfNode[std::size_t(node)];
+    if (condition.body.empty() || mesh.bodies[std::size_t(body)] == condition.body)
+      all.offer({norm(minus(mesh.point(node), *condition.point)), node, body, mesh.point(node)});
+  }
+  if (const auto found = all.choose(condition.tolerance, mesh.bodies, mesh.dimension, condition.path, problems))
+    condition.node = int(found->node);
+}
+
 /// Checks components and data of a displacement made in C++; the schema already checks those of a scene file.
 void checkComponents(const Mesh& mesh, const Condition& condition, Problems& problems) {
   const std::size_t count = condition.components.size(),
@@ -50,6 +68,7 @@ class Entry {
       : mesh_(mesh), list_(list), constants_(constants), problems_(problems) {}
 
   Condition read(const std::string& name) {
+    const std::size_t before = problems_.list().size();
     condition_.name = name;
     condition_.path = pathOf(list_);
     form_ = &formNamed(list_.get<std::string>("Type"));
@@ -59,6 +78,7 @@ class Entry {
     readData();
     checkSpecials();
     readSupport();
+    if (problems_.list().size() == before) findNode(mesh_, condition_, problems_);
     return condition_;
   }
 
@@ -70,16 +90,32 @@ class Entry {
   void readPlace() {
     condition_.groups = groupNames(list_, "Group");
     const std::string subject = withArticle(form_->name);
+    readPoint();
     if (list_.isParameter("Group") && form_->place == ConditionForm::Place::Body)
       wrong("Group",
             subject + " acts on a body, not on a " + mesh_.sideGroupKind() + "; name the body in Body, or omit Body for all bodies");
     if (list_.isParameter("Group") && form_->place == ConditionForm::Place::Point)
       wrong("Group", subject + " acts at a point, not on a " + mesh_.sideGroupKind() + "; give its position in Point");
     if (list_.isParameter("Body") && condition_.onSides())
-      wrong("Body", subject + " acts on a " + mesh_.sideGroupKind() + ", not on a body; name the group in Group");
+      wrong("Body", subject + " acts on a " + mesh_.sideGroupKind() + (form_->takes("Point") ? " or at a Point" : "") +
+                        ", not on a body; name the group in Group");
     else if (list_.isParameter("Body"))
       condition_.body = list_.get<std::string>("Body");
     checkPlace(mesh_, condition_, problems_);
+  }
+
+  /// Reads the position of a condition that acts on a side group or at a point.
+  void readPoint() {
+    if (form_->place != ConditionForm::Place::Sides || !form_->takes("Point")) return;
+    if (!list_.isParameter("Point")) {
+      if (list_.isParameter("Tolerance")) wrong("Tolerance", "only a condition at a Point takes this parameter");
+      return;
+    }
+    if (list_.isParameter("Group")) wrong("Point", "found together with a Group; expected only one of them");
+    const auto& values = list_.get<Teuchos::Array<double>>("Point");
+    condition_.point.emplace(Point{0, 0, 0});
+    std::copy_n(values.begin(), std::min<std::size_t>(std::size_t(values.size()), 3), condition_.point->begin());
+    if (list_.isType<double>("Tolerance")) condition_.tolerance = list_.get<double>("Tolerance");
   }
 
   void readComponents() {
@@ -136,7 +172,7 @@ class Entry {
 
 }  // namespace
 
-bool Condition::onSides() const { return formOf(type).place == ConditionForm::Place::Sides; }
+bool Condition::onSides() const { return formOf(type).place == ConditionForm::Place::Sides && !point; }
 
 Condition Condition::displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components) {
   Condition condition;
@@ -145,6 +181,13 @@ Condition Condition::displacement(const std::string& group, const std::vector<do
   condition.groups = {group};
   condition.components = components;
   condition.data.values = values;
+  return condition;
+}
+
+Condition Condition::pointSupport(const Point& point, const std::vector<double>& values, const std::vector<int>& components) {
+  Condition condition = displacement("point support", values, components);
+  condition.groups.clear();
+  condition.point = point;
   return condition;
 }
 
@@ -160,7 +203,10 @@ std::vector<Condition> conditionsOn(const Mesh& mesh, const std::vector<Conditio
     const std::size_t before = problems.list().size();
     checkPlace(mesh, condition, problems);
     if (condition.type == Condition::Type::Displacement) checkComponents(mesh, condition, problems);
-    if (problems.list().size() == before) sound.push_back(condition);
+    if (problems.list().size() > before) continue;
+    sound.push_back(condition);
+    findNode(mesh, sound.back(), problems);
+    if (problems.list().size() > before) sound.pop_back();
   }
   return sound;
 }

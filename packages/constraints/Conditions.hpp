@@ -3,6 +3,7 @@
 #include <suture/constraints/ConditionData.hpp>
 #include <suture/mesh/Mesh.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,13 @@ struct Condition {
   std::string name;
   std::string path;  ///< "Boundary Conditions/push", for messages
   Type type = Type::Bilateral;
-  std::vector<std::string> groups;  ///< side groups; none for body loads and point loads
+  std::vector<std::string> groups;  ///< side groups; none for body loads, and for conditions at a point
+  std::optional<Point> point;       ///< position of the node that a Displacement holds, instead of groups
+  double tolerance = 0.0;           ///< largest distance of that node [length]; 0: 1e-6 of the bodies' extent
+  int node = -1;                    ///< that node, once found by conditionsOn() or readConditions()
   std::vector<int> components;      ///< prescribed by a Displacement
   ConditionData data;               ///< data of each component, also for loads; none for types without a value
-  std::string body;                 ///< body of a body load or point load; empty: all bodies
+  std::string body;                 ///< body of a body load or of a node at a point; empty: all bodies
   int factor = 0;                   ///< number of its factor in LoadSteps
 
   double normal = 0.0, tangential = 0.0;  ///< stiffness of an ElasticSupport [stress / length]
@@ -43,6 +47,8 @@ struct Condition {
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
   /// True if it acts on side groups; otherwise it acts on whole bodies, or at a point.
   bool onSides() const;
+  /// Prescribed displacements of the node at a point. \param values, components  as for displacement()
+  static Condition pointSupport(const Point& point, const std::vector<double>& values, const std::vector<int>& components = {0, 1});
 
   /// Prescribed displacements of a side group. \param values  one per component [length] \param components  prescribed ones, ascending
   static Condition displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components = {0, 1});

@@ -32,6 +32,7 @@ using Rows = std::map<int, std::vector<Row>>;  // node -> rows
 void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions, int number, Rows& rows, Problems& problems) try {
   const Condition& condition = conditions[number];
   std::set<int> nodes;
+  if (condition.node >= 0) nodes.insert(condition.node);
   for (const Side& side : sidesOf(mesh.sideGroups, condition.groups))
     for (const int node : mesh.nodesOf(side)) nodes.insert(node);
   for (const int node : nodes)
@@ -268,7 +269,7 @@ std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>&
   std::vector<Condition> conditions = scene;
   if (mesh.axisymmetric) addAxis(mesh, conditions, rows);
   for (int number = 0; number < static_cast<int>(conditions.size()); ++number)
-    if (conditions[number].type == Condition::Type::Displacement && !conditions[number].groups.empty())
+    if (conditions[number].type == Condition::Type::Displacement)
       addDisplacement(mesh, conditions, number, rows, problems);
   addBilateral(mesh, conditions, rows);
 

@@ -11,6 +11,7 @@ struct ContactPiece {
   std::string name;         ///< name of the contact; "<contact> 2" for its second component, "a + b" for contacts that touch
   std::vector<int> pairs;   ///< ids
   std::vector<int> bodies;  ///< ascending
+  bool isWithinOneBody = false;  ///< both sides are of the same body: the piece holds no body
   /// Cells between the nodes that carry pairs, by ids of the pairs: segments in 2D, triangles and quadrilaterals in 3D; several per
   /// second-order side.
   std::vector<std::vector<int>> cells;
@@ -21,7 +22,7 @@ struct ContactPiece {
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.name), each(self.pairs), each(self.bodies), each(self.cells), each(self.pressureDoubt), each(self.onAxis);
-    each(self.openEnds);
+    each(self.openEnds), each(self.isWithinOneBody);
   }
 };
 

@@ -66,6 +66,7 @@ std::vector<ContactPiece> findPieces(const Mesh& mesh, const std::vector<Contact
     pair.piece = at->second;
     ContactPiece& piece = pieces[pair.piece];
     piece.pairs.push_back(pair.id);
+    piece.isWithinOneBody = contacts[contactOf[pair.id]].isWithinOneBody() && (isNew || piece.isWithinOneBody);
     for (const std::set<int>& own : {bodies[pair.id].a, bodies[pair.id].b}) piece.bodies.insert(piece.bodies.end(), own.begin(), own.end());
   }
   for (ContactPiece& piece : pieces) {

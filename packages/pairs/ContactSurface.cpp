@@ -1,4 +1,5 @@
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
 #include <suture/pairs/ContactSurface.hpp>
 #include <suture/pairs/FaceCheck.hpp>
@@ -6,44 +7,85 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
-#include <iterator>
+#include <array>
 #include <map>
+#include <set>
 
 namespace suture {
 
 namespace {
 
-/// Finds sides that meet the same body in several contacts: their pairs would be there twice. One side may meet different bodies, as a
-/// base on which two blocks stand.
+/// Finds sides that meet the same side of another body in several contacts, or the same obstacle: their pairs would be there twice. One
+/// side may be in several contacts otherwise, as a pin in two holes.
 class Taken {
  public:
-  /// \param partner  bodies of the other face, ascending; none: an obstacle
-  void claim(const Mesh& mesh, const ContactFace& face, const std::vector<int>& partner, const std::string& path, Problems& problems) {
-    std::string other;
-    for (const Side& side : sidesOf(mesh.sideGroups, face.groups)) {
-      std::vector<Claim>& claims = claimsOf_[{side.element, side.side}];
-      for (const Claim& before : claims)
-        if (meets(before.partner, partner)) other = before.path;
-      claims.push_back({path, partner});
-    }
-    if (!other.empty())
-      problems.add(path, face.name() + (face.groups.size() > 1 ? " lie" : " lies") + ", entirely or partly, also in " + other +
-                             "; a side may meet a body, or an obstacle, in one contact only");
+  void claim(const Mesh& mesh, const ContactSurface& contact, Problems& problems) {
+    const std::vector<Key> a = keysOf(mesh, contact.a), b = keysOf(mesh, contact.b);
+    std::string other = contact.obstacle && contact.obstacle->isSound() ? meetsObstacle(mesh, a, contact) : "";
+    if (other.empty()) other = take(a, b, contact.path);
+    if (other.empty()) return;
+    const bool several = contact.a.groups.size() > 1;
+    const std::string partner = contact.obstacle ? "this obstacle" : "sides of " + contact.b.name();
+    problems.add(contact.path + "/Side A", contact.a.name() + (several ? " meet, entirely or partly, " : " meets, entirely or partly, ") + partner +
+                                               " also in " + other + "; two sides may meet in one contact only");
   }
 
  private:
-  struct Claim {
-    std::string path;
-    std::vector<int> partner;
-  };
-  static bool meets(const std::vector<int>& a, const std::vector<int>& b) {
-    if (a.empty() || b.empty()) return a.empty() == b.empty();
-    std::vector<int> both;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-    return !both.empty();
+  using Key = std::pair<int, int>;  // element and side
+
+  static std::vector<Key> keysOf(const Mesh& mesh, const ContactFace& face) {
+    std::vector<Key> keys;
+    for (const Side& side : sidesOf(mesh.sideGroups, face.groups)) keys.emplace_back(side.element, side.side);
+    return keys;
   }
 
-  std::map<std::pair<int, int>, std::vector<Claim>> claimsOf_;  // by element and side
+  /// Path of an earlier contact in which sides of both lists are on opposite faces; empty: none.
+  std::string take(const std::vector<Key>& a, const std::vector<Key>& b, const std::string& path) {
+    std::map<std::size_t, std::array<bool, 2>> met;  // earlier contact -> a is on its face A, on its face B
+    for (const Key& key : a)
+      for (const Claim& claim : claimsOf_[key]) met[claim.contact][claim.onB ? 1 : 0] = true;
+    std::string other;
+    for (const Key& key : b)
+      for (const Claim& claim : claimsOf_[key])
+        if (const auto found = met.find(claim.contact); found != met.end() && found->second[claim.onB ? 0 : 1]) other = paths_[claim.contact];
+    const std::size_t contact = paths_.size();
+    paths_.push_back(path);
+    for (const Key& key : a) claimsOf_[key].push_back({contact, false});
+    for (const Key& key : b) claimsOf_[key].push_back({contact, true});
+    return other;
+  }
+
+  std::string meetsObstacle(const Mesh& mesh, const std::vector<Key>& a, const ContactSurface& contact) {
+    std::string other;
+    for (const Key& key : a) {
+      std::vector<Facing>& before = obstaclesOf_[key];
+      for (const Facing& claim : before)
+        if (areEqual(mesh, key, claim.obstacle, *contact.obstacle)) other = claim.path;
+      before.push_back({*contact.obstacle, contact.path});
+    }
+    return other;
+  }
+
+  /// True if two obstacles have the same surface opposite all nodes of a side.
+  static bool areEqual(const Mesh& mesh, const Key& key, const Obstacle& a, const Obstacle& b) {
+    for (const int node : mesh.nodesOf({key.first, key.second})) {
+      const Obstacle::Foot one = a.from(mesh.point(node)), other = b.from(mesh.point(node));
+      if (one.gap != other.gap || one.normal != other.normal) return false;
+    }
+    return true;
+  }
+
+  struct Claim {
+    std::size_t contact;
+    bool onB;
+  };
+  std::vector<std::string> paths_;  // of the contacts
+  std::map<Key, std::vector<Claim>> claimsOf_;
+  struct Facing {
+    Obstacle obstacle;
+    std::string path;
+  };
+  std::map<Key, std::vector<Facing>> obstaclesOf_;
 };
 
 /// Checks that each face has groups, or that an obstacle replaces face B.
@@ -52,10 +94,10 @@ void checkGroups(const Contact& contact, const std::string& kind, Problems& prob
   const std::string pathA = contact.path + "/Side A", pathB = contact.path + "/Side B";
   const std::string several = ", or several as {left, right}";
   if (contact.groupsA.empty() || lacksName(contact.groupsA)) problems.add(pathA, "is empty; expected a " + kind + several);
-  if (lacksName(contact.groupsB)) problems.add(pathB, "is empty; expected a " + kind + " on another body" + several);
+  if (lacksName(contact.groupsB)) problems.add(pathB, "is empty; expected a " + kind + " opposite Side A" + several);
   if (!contact.groupsB.empty() && contact.obstacle) problems.add(pathB, "found together with an Obstacle; expected only one of them");
   if (contact.groupsB.empty() && !contact.obstacle)
-    problems.add(pathB, "is missing: expected a " + kind + " on another body, or an Obstacle");
+    problems.add(pathB, "is missing: expected a " + kind + " opposite Side A, or an Obstacle");
 }
 
 /// How the two faces are coupled.
@@ -80,6 +122,15 @@ std::vector<Side> allSides(const Mesh& mesh, const std::vector<Contact>& contact
       all.insert(all.end(), own.begin(), own.end());
     }
   return all;
+}
+
+/// Place of an element side that lies on both faces; empty: there is none.
+std::string commonSide(const Mesh& mesh, const ContactSurface& contact) {
+  std::set<std::pair<int, int>> ofA;
+  for (const Side& side : sidesOf(mesh.sideGroups, contact.groupsA)) ofA.emplace(side.element, side.side);
+  for (const Side& side : sidesOf(mesh.sideGroups, contact.groupsB))
+    if (ofA.count({side.element, side.side})) return placeText(mesh.point(mesh.nodesOf(side)[0]), mesh.dimension);
+  return "";
 }
 
 /// A name that occurs in both lists, or nothing.
@@ -141,15 +192,12 @@ std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Conta
     const std::string pathA = surface.path + "/Side A", pathB = surface.path + "/Side B";
     surface.a = readFace(mesh, table, surface.groupsA, pathA, problems);
     surface.b = readFace(mesh, table, surface.groupsB, pathB, problems);
-    const std::vector<int>& bodies = surface.a.bodies;
-    if (const std::string both = inBoth(surface.groupsA, surface.groupsB); !both.empty()) {
-      problems.add(pathB, "'" + both + "' is also Side A; expected the group on the other body");
-    } else if (bodies.size() == 1 && bodies == surface.b.bodies) {
-      problems.add(pathB, surface.b.name() + " is on the body '" + mesh.bodies[bodies[0]] + "', like Side A; a contact needs two bodies");
-    } else {
-      taken.claim(mesh, surface.a, surface.b.bodies, pathA, problems);
-      taken.claim(mesh, surface.b, surface.a.bodies, pathB, problems);
-    }
+    if (const std::string both = inBoth(surface.groupsA, surface.groupsB); !both.empty())
+      problems.add(pathB, "'" + both + "' is also Side A; expected the group on the opposite side");
+    else if (const std::string common = commonSide(mesh, surface); !common.empty())
+      problems.add(pathB, surface.b.name() + " and Side A have elements in common, as at " + common + "; a side does not touch itself");
+    else
+      taken.claim(mesh, surface, problems);
     if (problems.list().size() == before) surfaces.push_back(std::move(surface));
   }
   return surfaces;
@@ -175,7 +223,8 @@ Schema contactSchema(const std::string& law, const std::map<std::string, Schema>
              "curve group (3D: surface group) of the mesh, or several as {left, right}, on one or several bodies; the normal points from "
              "here to Side B or into the obstacle")
       .orOne()
-      .texts("Side B", std::nullopt, "curve group (3D: surface group) of the mesh, or several, on other bodies; none with an Obstacle")
+      .texts("Side B", std::nullopt, "curve group (3D: surface group) of the mesh, or several, on other bodies, or on the same body as the faces of a crack; none with "
+             "an Obstacle")
       .orOne()
       .optional()
       .choice("Law", law, laws, "forces that the two sides may exert on each other")

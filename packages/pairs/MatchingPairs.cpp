@@ -65,7 +65,8 @@ class Matcher {
       return std::nullopt;
     }
     PairedSurface result;
-    for (const OrderedNode& own : inOrder(a_, [](int) { return true; })) append(own, partners->at(own.node), result);
+    for (const OrderedNode& own : inOrder(a_, [](int) { return true; }))
+      if (const int partner = partners->at(own.node); partner != own.node) append(own, partner, result);  // not at the tip of a crack
     if (!verify(result.pairs)) return std::nullopt;
     result.cells = cellsOf(a_, result.pairs);
     return result;
@@ -114,9 +115,10 @@ class Matcher {
     return all;
   }
 
+  /// True if two parts cannot meet: they lie on the same body of several.
   bool sameBody(const FacingNodes::Partners& partners) const {
     const auto& [a, b] = *partners.begin();
-    return mesh_.bodyOfNode[a] == mesh_.bodyOfNode[b];
+    return !contact_.isWithinOneBody() && mesh_.bodyOfNode[a] == mesh_.bodyOfNode[b];
   }
 
   Standing standing(int nodeA, int nodeB) const {

@@ -30,6 +30,8 @@ class Obstacle {
   /// An infinite cylinder, or its exterior. \param axis  its direction, any non-zero length
   static Obstacle cylinder(const Point& through, const Point& axis, double radius, bool hollow = false);
 
+  /// False for the placeholder of an obstacle that could not be read.
+  bool isSound() const { return foot_ != nullptr; }
   /// \throws InputError  if an expression has no finite value at the point. Local.
   Foot from(const Point& point) const { return foot_(point); }
   /// Signed distance from a point to the surface along a direction, negative if the surface is behind the point; nothing if the direction

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace suture {
 
@@ -74,32 +75,49 @@ namespace {
 /// resultant has no centre.
 constexpr double kPresses = 1e-6;
 
-}  // namespace
+/// A resultant while pairs are added to it.
+struct Sum {
+  ContactResultant result;
+  double size = 0.0;  // sum of the magnitudes of the forces
 
-std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& pairs, int lines, bool axisymmetric) {
-  std::vector<ContactResultant> all(lines);
-  std::vector<double> sizes(lines, 0.0);
-  for (const PairResult& pair : pairs) {
-    if (pair.line < 0 || pair.line >= lines) continue;
-    ContactResultant& line = all[pair.line];
-    for (int side = 0; side < 2; ++side) {
-      std::vector<int>& bodies = line.bodies[side];
+  void add(const PairResult& pair) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      std::vector<int>& bodies = result.bodies[side];
       const auto at = std::lower_bound(bodies.begin(), bodies.end(), pair.bodies[side]);
       if (pair.bodies[side] >= 0 && (at == bodies.end() || *at != pair.bodies[side])) bodies.insert(at, pair.bodies[side]);
     }
-    line.pairs += 1;
-    line.whole += pair.length;
-    if (pair.state.closed()) line.active += 1, line.closed += pair.length;
-    line.onB.add(pair.position, pair.onB());
-    line.pressing += pair.force;
-    sizes[pair.line] += norm(pair.onB());
-    line.centre = plus(line.centre, scaled(pair.force, pair.position));
+    result.pairs += 1;
+    result.whole += pair.length;
+    if (pair.state.closed()) result.active += 1, result.closed += pair.length;
+    result.onB.add(pair.position, pair.onB());
+    result.pressing += pair.force;
+    size += norm(pair.onB());
+    result.centre = plus(result.centre, scaled(pair.force, pair.position));
   }
-  for (int i = 0; i < lines; ++i) {
-    ContactResultant& line = all[i];
-    if (std::abs(line.pressing) <= kPresses * sizes[i]) line.pressing = 0.0;
-    if (line.presses()) line.centre = scaled(1.0 / line.pressing, line.centre);
-    if (axisymmetric) line.onB.moment = {0, 0, 0};
+
+  ContactResultant finished(bool axisymmetric) && {
+    if (std::abs(result.pressing) <= kPresses * size) result.pressing = 0.0;
+    if (result.presses()) result.centre = scaled(1.0 / result.pressing, result.centre);
+    if (axisymmetric) result.onB.moment = {0, 0, 0};
+    return std::move(result);
+  }
+};
+
+}  // namespace
+
+std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& pairs, int lines, bool axisymmetric) {
+  std::vector<Sum> sums(static_cast<std::size_t>(lines));
+  std::vector<std::map<std::array<int, 2>, Sum>> parts(sums.size());
+  for (const PairResult& pair : pairs) {
+    if (pair.line < 0 || pair.line >= lines) continue;
+    sums[static_cast<std::size_t>(pair.line)].add(pair);
+    parts[static_cast<std::size_t>(pair.line)][pair.bodies].add(pair);
+  }
+  std::vector<ContactResultant> all;
+  for (std::size_t line = 0; line < sums.size(); ++line) {
+    all.push_back(std::move(sums[line]).finished(axisymmetric));
+    if (parts[line].size() < 2) continue;
+    for (auto& [bodies, part] : parts[line]) all.back().ofBodies.push_back(std::move(part).finished(axisymmetric));
   }
   return all;
 }

@@ -51,6 +51,7 @@ struct ContactResultant {
   double closed = 0.0;                     ///< length or, axisymmetric, area of the closed pairs
   double whole = 0.0;                      ///< the same for all pairs
   int pairs = 0, active = 0;
+  std::vector<ContactResultant> ofBodies{};  ///< the same for each pair of bodies, if there are several; one body on each side at most
 
   /// The centre is defined. Axisymmetric: it is a circle whose distance from the axis is a mean radius.
   bool presses() const { return pressing > 0.0; }

@@ -3,29 +3,17 @@
 #include <suture/base/Gather.hpp>
 #include <suture/elasticity/SideMap.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
-#include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/NodeAtPoint.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <sstream>
 
 namespace suture {
 
 namespace {
-
-constexpr double kNear = 1e-6;  // default of Tolerance, relative to the bodies' extent
-constexpr double kSame = 1e-9;  // difference up to which distances count as equal, relative to the extent
-
-/// Node of a body, and its distance from a point. Trivially copyable.
-struct Candidate {
-  double distance;
-  GlobalId node;
-  int body;
-  Point place;
-};
 
 /// The meshes of a scene, on any number of ranks.
 struct Pieces {
@@ -37,7 +25,7 @@ struct Pieces {
   };
   std::vector<Piece> pieces;
   std::function<void(double*values, int count)> sum, most;                         ///< over all ranks, in place
-  std::function<std::vector<Candidate>(const std::vector<Candidate>& mine)> join;  ///< candidates of all ranks
+  std::function<std::vector<NearNode>(const std::vector<NearNode>& mine)> join;  ///< nodes of all ranks
 };
 
 /// Calls take(position, measure) at the quadrature points of all sides of a load.
@@ -100,51 +88,20 @@ double extentOf(const Pieces& pieces) {
   return norm({box[0] + box[3], box[1] + box[4], box[2] + box[5]});
 }
 
-/// The nearest node of each body on which the load may act.
-std::vector<Candidate> nearest(const Pieces& pieces, const ElasticModel& model, const Load& load, double same) {
-  std::vector<Candidate> mine;
-  const auto isBetter = [same](const Candidate& a, const Candidate& b) {
-    return std::abs(a.distance - b.distance) > same ? a.distance < b.distance : a.node < b.node;
-  };
-  const auto offer = [&](std::vector<Candidate>& all, const Candidate& found) {
-    const auto own = std::find_if(all.begin(), all.end(), [&](const Candidate& one) { return one.body == found.body; });
-    if (own == all.end())
-      all.push_back(found);
-    else if (isBetter(found, *own))
-      *own = found;
-  };
+void findNode(const Pieces& pieces, const ElasticModel& model, Load& load, Problems& problems) {
+  const double extent = extentOf(pieces);
+  NodeAtPoint mine(load.place, extent), all = mine;
   for (const Pieces::Piece& piece : pieces.pieces)
     for (int node = 0; node < piece.block->nodes(); ++node) {
       const Point place = piece.block->point(node);
       if (load.actsOn(model.bodies[piece.bodyOf(node)]))
-        offer(mine, {norm(minus(place, load.place)), piece.numberOf(node), piece.bodyOf(node), place});
+        mine.offer({norm(minus(place, load.place)), piece.numberOf(node), piece.bodyOf(node), place});
     }
-  std::vector<Candidate> all;
-  for (const Candidate& one : pieces.join(mine)) offer(all, one);
-  std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-  return all;
-}
-
-void findNode(const Pieces& pieces, const ElasticModel& model, Load& load, Problems& problems) {
-  const double extent = extentOf(pieces), tolerance = load.tolerance > 0.0 ? load.tolerance : kNear * extent;
-  const std::vector<Candidate> found = nearest(pieces, model, load, kSame * extent);
-  if (found.empty() || found.front().distance > tolerance) {
-    std::ostringstream text;
-    text << "no node within " << tolerance << " of " << placeText(load.place, model.dimension);
-    if (!found.empty())
-      text << "; the nearest one is " << placeText(found.front().place, model.dimension) << " of the body '"
-           << model.bodies[found.front().body] << "', " << found.front().distance
-           << " away. Add a point to the geometry there, or set Tolerance";
-    problems.add(load.path + "/Point", text.str());
-    return;
-  }
-  if (found.size() > 1 && found[1].distance <= found[0].distance + kSame * extent) {
-    problems.add(load.path + "/Body", "is missing: at " + placeText(load.place, model.dimension) + " there are nodes of the bodies '" +
-                                          model.bodies[found[0].body] + "' and '" + model.bodies[found[1].body] + "'");
-    return;
-  }
-  load.node = found.front().node;
-  load.body = model.bodies[found.front().body];
+  for (const NearNode& one : pieces.join(mine.candidates())) all.offer(one);
+  const auto found = all.choose(load.tolerance, model.bodies, model.dimension, load.path, problems);
+  if (!found) return;
+  load.node = found->node;
+  load.body = model.bodies[found->body];
 }
 
 void resolve(const Pieces& pieces, ElasticModel& model) {
@@ -172,7 +129,7 @@ void resolveLoads(const Comm& comm, const std::vector<SubdomainMesh>& meshes, El
   };
   pieces.sum = reduce(Teuchos::REDUCE_SUM);
   pieces.most = reduce(Teuchos::REDUCE_MAX);
-  pieces.join = [&comm](const std::vector<Candidate>& mine) { return joinEverywhere(comm, mine); };
+  pieces.join = [&comm](const std::vector<NearNode>& mine) { return joinEverywhere(comm, mine); };
   resolve(pieces, model);
 }
 
@@ -181,7 +138,7 @@ void resolveLoads(const Mesh& mesh, ElasticModel& model) {
   resolve({{{&mesh, &mesh.sideGroups, [](int node) { return GlobalId(node); }, [&mesh](int node) { return mesh.bodyOfNode[node]; }}},
            alone,
            alone,
-           [](const std::vector<Candidate>& mine) { return mine; }},
+           [](const std::vector<NearNode>& mine) { return mine; }},
           model);
 }
 

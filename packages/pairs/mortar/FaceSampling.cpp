@@ -18,9 +18,10 @@ constexpr double kLayered = 1e-9;       // area of intersections in excess of th
 constexpr int kCurvedDegree = 5, kMostDegree = 10;  // quadrature degrees: on curved faces, on distorted sides
 constexpr double kDistorted = 1e-9;                 // relative size of the neglected terms of integrands
 
-std::vector<MortarFace> facesOf(const Mesh& mesh, const Surface& surface) {
+std::vector<MortarFace> facesOf(const Mesh& mesh, const ContactSurface& contact, bool onA) {
+  const Surface& surface = *(onA ? contact.a : contact.b).surface;
   std::vector<MortarFace> all;
-  for (int side = 0; side < surface.sides(); ++side) all.emplace_back(surface, side, mesh.bodyOfNode[surface.nodesOf(side)[0]]);
+  for (int side = 0; side < surface.sides(); ++side) all.emplace_back(surface, side, contact.sideOfBody(mesh.bodyOfNode[surface.nodesOf(side)[0]], onA));
   return all;
 }
 
@@ -112,8 +113,8 @@ std::vector<FaceSampling::Facet> FaceSampling::facetsOf(const std::vector<Mortar
 FaceSampling::FaceSampling(const Mesh& mesh, const ContactSurface& contact, bool onA)
     : contact_(contact),
       share_(onA ? contact.shareOfA() : 1 - contact.shareOfA()),
-      own_(facesOf(mesh, *(onA ? contact.a : contact.b).surface)),
-      other_(facesOf(mesh, *(onA ? contact.b : contact.a).surface)),
+      own_(facesOf(mesh, contact, onA)),
+      other_(facesOf(mesh, contact, !onA)),
       ownSmooth_(smoothOf(mesh, onA ? contact.a : contact.b, own_)),
       otherSmooth_(smoothOf(mesh, onA ? contact.b : contact.a, other_)),
       ownFacets_(facetsOf(own_)),

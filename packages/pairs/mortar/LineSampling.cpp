@@ -33,11 +33,12 @@ void findChanges(const Surface& surface, std::vector<Segment>& all) {
   }
 }
 
-std::vector<Segment> segmentsOf(const Mesh& mesh, const Surface& surface) {
+std::vector<Segment> segmentsOf(const Mesh& mesh, const ContactSurface& contact, bool onA) {
+  const Surface& surface = *(onA ? contact.a : contact.b).surface;
   const BoundaryCurve curve(surface);
   std::vector<Segment> all;
   for (int side = 0; side < surface.sides(); ++side)
-    all.emplace_back(surface, side, curve.bend(side), mesh.bodyOfNode[surface.nodesOf(side)[0]]);
+    all.emplace_back(surface, side, curve.bend(side), contact.sideOfBody(mesh.bodyOfNode[surface.nodesOf(side)[0]], onA));
   findChanges(surface, all);
   return all;
 }
@@ -49,8 +50,8 @@ LineSampling::LineSampling(const Mesh& mesh, const ContactSurface& contact, bool
       contact_(contact),
       surface_(*(onA ? contact.a : contact.b).surface),
       share_(onA ? contact.shareOfA() : 1 - contact.shareOfA()),
-      own_(segmentsOf(mesh, surface_)),
-      other_(segmentsOf(mesh, *(onA ? contact.b : contact.a).surface)),
+      own_(segmentsOf(mesh, contact, onA)),
+      other_(segmentsOf(mesh, contact, !onA)),
       segmentation_(other_),
       rule_(gaussRule(6)) {}
 

@@ -210,7 +210,9 @@ class Mortar {
     }
   }
 
-  bool isReached(int node) const { return reach_.at(node) >= kReach && !halved_.count(node); }
+  /// A node of both faces, as at the tip of a crack, cannot separate from itself: it carries no condition.
+  bool isShared(int node) const { return other_ && other_->nodes().count(node) > 0; }
+  bool isReached(int node) const { return reach_.at(node) >= kReach && !halved_.count(node) && !isShared(node); }
 
   std::map<int, int> findHeirs() const {
     std::map<int, int> heirs;
@@ -249,12 +251,15 @@ class Mortar {
       if (surface_.dimension() == 2) pair.arc += dot(way, {-normal[1], normal[0], 0});
     }
     pair.ends.push_back({node, sign_ * row.own.at(node) / row.weight});
+    std::map<int, double> own = row.own, others = row.others;
+    for (auto& [at, value] : others)
+      if (const auto shared = own.find(at); shared != own.end()) value -= std::exchange(shared->second, 0.0);
     const auto add = [&](int at, double weight) {
       if (std::abs(weight) > 1e-12) pair.ends.push_back({at, weight});
     };
-    for (const auto& [at, value] : row.own)
+    for (const auto& [at, value] : own)
       if (at != node) add(at, sign_ * value / row.weight);
-    for (const auto& [at, value] : row.others) add(at, -sign_ * value / row.weight);
+    for (const auto& [at, value] : others) add(at, -sign_ * value / row.weight);
     return pair;
   }
 

@@ -48,6 +48,15 @@ Json bodiesOf(const Run& run, std::initializer_list<std::vector<int>> sides) {
   return all;
 }
 
+Json contactJson(const Run& run, const ContactResultant& contact, int dimension) {
+  Json row = {{"bodies", bodiesOf(run, {contact.bodies[0], contact.bodies[1]})}};
+  row.update(resultantOf(contact.onB, dimension));
+  row["centre"] = contact.presses() ? componentsOf(contact.centre, dimension) : Json();
+  row["closed"] = contact.closed;
+  row["whole"] = contact.whole;
+  return row;
+}
+
 /// "2.31e+05 Pa in 'left' at (1, 2)"
 std::string told(const Run& run, const char* pattern, const Extreme& found, const std::string& unit, int dimension) {
   if (!found.exists()) return "0 " + unit;
@@ -134,12 +143,8 @@ Json reactionsJson(const Run& run, int dimension) {
     all["conditions"][condition.name] = row;
   }
   for (std::size_t line = 0; line < contacts.size(); ++line) {
-    const ContactResultant& contact = contacts[line];
-    Json row = {{"bodies", bodiesOf(run, {contact.bodies[0], contact.bodies[1]})}};
-    row.update(resultantOf(contact.onB, dimension));
-    row["centre"] = contact.presses() ? componentsOf(contact.centre, dimension) : Json();
-    row["closed"] = contact.closed;
-    row["whole"] = contact.whole;
+    Json row = contactJson(run, contacts[line], dimension);
+    for (const ContactResultant& part : contacts[line].ofBodies) row["of_bodies"].push_back(contactJson(run, part, dimension));
     all["contacts"][contactName(run, static_cast<int>(line))] = row;
   }
   all["sum"] = resultantOf(sumOfResultants(conditions, contacts), dimension);

@@ -96,11 +96,14 @@ void writeReactionTable(const Run& run, const std::string& path) {
   std::string text = "name,kind,body_a,body_b,fx,fy,fz,mx,my,mz,centre_x,centre_y,centre_z,closed\n";
   for (const ConditionResultant& condition : conditions)
     text += csvField(condition.name) + "," + condition.kind + ",," + scales.fields(condition.sum) + ",,,,\n";
-  for (std::size_t line = 0; line < contacts.size(); ++line) {
-    const ContactResultant& contact = contacts[line];
-    text += csvField(run.contacts[line]) + ",contact," + csvField(bodyNames(run, contact.bodies[0])) + "," +
+  const auto add = [&](const std::string& name, const char* kind, const ContactResultant& contact) {
+    text += csvField(name) + "," + kind + "," + csvField(bodyNames(run, contact.bodies[0])) + "," +
             csvField(bodyNames(run, contact.bodies[1])) + scales.fields(contact.onB) +
             (contact.presses() ? vectorFields(contact.centre, place) : ",,,") + csvNumber(contact.closed, 0.0) + "\n";
+  };
+  for (std::size_t line = 0; line < contacts.size(); ++line) {
+    add(run.contacts[line], "contact", contacts[line]);
+    for (const ContactResultant& part : contacts[line].ofBodies) add(run.contacts[line], "bodies", part);
   }
   text += "sum,sum,," + scales.fields(sum) + ",,,,\n";
   writeTextFile(path, text);
