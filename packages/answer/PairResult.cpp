@@ -162,7 +162,8 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
       const std::map<int, double>& ofBodies = weights.at(force.id);
       for (const auto& [body, weight] : ofBodies) result.bodies[weight > 0.0 ? 0 : 1] = body;
       // A body on both sides: its weights sum to zero.
-      if (ofBodies.size() == 1 && std::abs(ofBodies.begin()->second) < kOneSided) result.bodies = {ofBodies.begin()->first, ofBodies.begin()->first};
+      if (ofBodies.size() == 1 && std::abs(ofBodies.begin()->second) < kOneSided)
+        result.bodies = {ofBodies.begin()->first, ofBodies.begin()->first};
     }
   });
   return results;

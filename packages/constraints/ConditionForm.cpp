@@ -103,7 +103,8 @@ Schema boundaryConditionSchema() {
       .optional()
       .oneOf(
           "Type", std::nullopt, names,
-          "Displacement: prescribed, of a group or of the node at a Point; Bilateral: zero normal displacement, free to slide; Traction: force vector per undeformed area; "
+          "Displacement: prescribed, of a group or of the node at a Point; Bilateral: zero normal displacement, free to slide; Traction: "
+          "force vector per undeformed area; "
           "Pressure: > 0 pushes into the body; Force: total force on a group, as a uniform traction; Moment: total moment "
           "on a group about its centroid, as a traction that grows linearly from there, counterclockwise > 0 in 2D; Point Force: "
           "at a node, where stresses are then singular; Body Force: force per volume; Gravity: acceleration, on the Density of the "
@@ -155,10 +156,12 @@ Schema boundaryConditionSchema() {
       .text("Body", std::nullopt, "body on which a body load acts, by default all bodies; body of the node of a condition at a Point")
       .optional()
       .reals("Point", std::nullopt,
-             "position of a Point Force, or of the single node that a Displacement holds; point about which a Rotation turns in 2D, or a point of its axis in 3D, by default the origin",
+             "position of a Point Force, or of the single node that a Displacement holds; point about which a Rotation turns in 2D, or a "
+             "point of its axis in 3D, by default the origin",
              "length")
       .optional()
-      .real("Tolerance", std::nullopt, "Point Force, Displacement at a Point: largest distance of the nearest node; by default 1e-6 of the bodies' extent",
+      .real("Tolerance", std::nullopt,
+            "Point Force, Displacement at a Point: largest distance of the nearest node; by default 1e-6 of the bodies' extent",
             Range::positive(), "length")
       .optional()
       .reals("Direction", std::nullopt, "Preload: the axis of the bolt, a vector of any length")

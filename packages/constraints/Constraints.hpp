@@ -44,6 +44,7 @@ struct Support {
   int node = -1;
   int condition = -1;  ///< index in Constraints::conditions
   Point direction{0, 0, 0}, along{0, 0, 0};
+  bool atPoint = false;  ///< the condition holds this node alone (Condition::point): stresses are unbounded there
 };
 
 /// Direction along which an elastic support resists a node of an element's side. It holds the rigid-body motions that move it.

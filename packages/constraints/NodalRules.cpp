@@ -168,14 +168,18 @@ struct Basis {
 };
 
 /// \param last  number of conditions in the scene; higher numbers are added automatically
-void addSupports(int node, const Basis& basis, const std::vector<Row>& rows, int last, std::vector<Support>& supports) {
+void addSupports(int node, const Basis& basis, const std::vector<Row>& rows, const std::vector<Condition>& scene,
+                 std::vector<Support>& supports) {
+  const int last = int(scene.size());
   for (int i = 0; i < int(basis.rows.size()); ++i) {
     const Row& held = *basis.rows[i];
     std::set<int> conditions;
     for (const Row& row : rows)
       if (areParallel(held, row)) conditions.insert(row.condition);
     for (const int condition : conditions)
-      if (condition < last) supports.push_back({node, condition, held.direction, scaled(1.0 / double(conditions.size()), basis.dual(i))});
+      if (condition < last)
+        supports.push_back({node, condition, held.direction, scaled(1.0 / double(conditions.size()), basis.dual(i)),
+                            scene[std::size_t(condition)].point.has_value()});
   }
 }
 
@@ -269,8 +273,7 @@ std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>&
   std::vector<Condition> conditions = scene;
   if (mesh.axisymmetric) addAxis(mesh, conditions, rows);
   for (int number = 0; number < static_cast<int>(conditions.size()); ++number)
-    if (conditions[number].type == Condition::Type::Displacement)
-      addDisplacement(mesh, conditions, number, rows, problems);
+    if (conditions[number].type == Condition::Type::Displacement) addDisplacement(mesh, conditions, number, rows, problems);
   addBilateral(mesh, conditions, rows);
 
   int factors = 1;
@@ -290,7 +293,7 @@ std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>&
       compare(rule, same, part, mesh.dimension, contradictions);
       if (rule.value != Point{0, 0, 0}) prescribed[factor].push_back({node, rule.value});
     }
-    addSupports(node, basis, here, int(scene.size()), supports);
+    addSupports(node, basis, here, scene, supports);
   }
   contradictions.report(problems);
   return rules;

@@ -9,7 +9,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kAtPoint = 1e-6;  // default tolerance relative to the extent: coordinates in text files have six digits or more
+constexpr double kAtPoint = 1e-6;      // default tolerance relative to the extent: coordinates in text files have six digits or more
 constexpr double kEquallyNear = 1e-9;  // difference up to which distances count as equal, relative to the extent
 
 }  // namespace
@@ -26,8 +26,8 @@ void NodeAtPoint::offer(const NearNode& node) {
     *own = node;
 }
 
-std::optional<NearNode> NodeAtPoint::choose(double tolerance, const std::vector<std::string>& bodies, int dimension, const std::string& path,
-                                            Problems& problems) const {
+std::optional<NearNode> NodeAtPoint::choose(double tolerance, const std::vector<std::string>& bodies, int dimension,
+                                            const std::string& path, Problems& problems) const {
   std::vector<NearNode> found = candidates_;
   std::sort(found.begin(), found.end(), [](const NearNode& a, const NearNode& b) { return a.distance < b.distance; });
   const auto nameOf = [&](const NearNode& node) { return "'" + bodies[static_cast<std::size_t>(node.body)] + "'"; };

@@ -11,13 +11,13 @@ struct ContactPiece {
   std::string name;         ///< name of the contact; "<contact> 2" for its second component, "a + b" for contacts that touch
   std::vector<int> pairs;   ///< ids
   std::vector<int> bodies;  ///< ascending
-  bool isWithinOneBody = false;  ///< both sides are of the same body: the piece holds no body
   /// Cells between the nodes that carry pairs, by ids of the pairs: segments in 2D, triangles and quadrilaterals in 3D; several per
   /// second-order side.
   std::vector<std::vector<int>> cells;
   double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements represent curved sides [stress]
   std::vector<AxisPoint> onAxis;
-  std::vector<int> openEnds{};  ///< ids of pairs at the rim, beyond which the boundaries continue free and without a corner
+  std::vector<int> openEnds{};   ///< ids of pairs at the rim, beyond which the boundaries continue free and without a corner
+  bool isWithinOneBody = false;  ///< both sides are of the same body: the piece holds no body
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {

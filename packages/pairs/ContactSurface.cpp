@@ -26,8 +26,8 @@ class Taken {
     if (other.empty()) return;
     const bool several = contact.a.groups.size() > 1;
     const std::string partner = contact.obstacle ? "this obstacle" : "sides of " + contact.b.name();
-    problems.add(contact.path + "/Side A", contact.a.name() + (several ? " meet, entirely or partly, " : " meets, entirely or partly, ") + partner +
-                                               " also in " + other + "; two sides may meet in one contact only");
+    problems.add(contact.path + "/Side A", contact.a.name() + (several ? " meet, entirely or partly, " : " meets, entirely or partly, ") +
+                                               partner + " also in " + other + "; two sides may meet in one contact only");
   }
 
  private:
@@ -47,7 +47,8 @@ class Taken {
     std::string other;
     for (const Key& key : b)
       for (const Claim& claim : claimsOf_[key])
-        if (const auto found = met.find(claim.contact); found != met.end() && found->second[claim.onB ? 0 : 1]) other = paths_[claim.contact];
+        if (const auto found = met.find(claim.contact); found != met.end() && found->second[claim.onB ? 0 : 1])
+          other = paths_[claim.contact];
     const std::size_t contact = paths_.size();
     paths_.push_back(path);
     for (const Key& key : a) claimsOf_[key].push_back({contact, false});
@@ -223,7 +224,9 @@ Schema contactSchema(const std::string& law, const std::map<std::string, Schema>
              "curve group (3D: surface group) of the mesh, or several as {left, right}, on one or several bodies; the normal points from "
              "here to Side B or into the obstacle")
       .orOne()
-      .texts("Side B", std::nullopt, "curve group (3D: surface group) of the mesh, or several, on other bodies, or on the same body as the faces of a crack; none with "
+      .texts("Side B", std::nullopt,
+             "curve group (3D: surface group) of the mesh, or several, on other bodies, or on the same body as the faces of a crack; none "
+             "with "
              "an Obstacle")
       .orOne()
       .optional()

@@ -144,7 +144,7 @@ std::map<std::string, Schema> Obstacle::choices() {
         .boolean("Hollow", false, inside);
   };
   return {
-      {"None", Schema("the partner is Side B, on another body")},
+      {"None", Schema("the partner is Side B")},
       {"Line", flat("a half-plane", "x, y")},
       {"Plane", flat("a half-space", "x, y, z")},
       {"Circle", round("a disc, or its exterior", "x, y", "disc", "true: the body is inside the circle, and the obstacle outside")},

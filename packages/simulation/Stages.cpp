@@ -181,7 +181,7 @@ JudgedScene judge(SolvedScene solved) {
   add(solved.doubts_.warnings());
   if (solution.converged)
     add(timed(parts.run.timers(), "verify", [&] { return solved.overlaps_.added(comm, parts.scene, solution.displacement); }));
-  add(singularNotes(comm, parts.cut.meshes, solution));
+  add(singularNotes(comm, parts.cut.meshes, parts.scene.model, solution));
   return JudgedScene(std::move(solved));
 }
 

@@ -230,6 +230,11 @@ def line_pressureAt(folder, _, x):
     return float(c.point["ContactPressure"][np.argmin(np.abs(c.points[:, 0] - x))])
 
 
+def line_largestSlip(folder, _):
+    """Largest magnitude of the slip of a pair."""
+    return float(np.linalg.norm(contact(folder).point["Slip"], axis=1).max())
+
+
 def line_pressureL2(folder, _, curve, along="x", within=None, **options):
     """L2 norm along the contact lines of the nodal pressure's deviation from a curve of curves.py, over that of the curve."""
     c = contact(folder)

@@ -24,7 +24,7 @@ struct Pieces {
     std::function<int(int node)> bodyOf;
   };
   std::vector<Piece> pieces;
-  std::function<void(double*values, int count)> sum, most;                         ///< over all ranks, in place
+  std::function<void(double*values, int count)> sum, most;                       ///< over all ranks, in place
   std::function<std::vector<NearNode>(const std::vector<NearNode>& mine)> join;  ///< nodes of all ranks
 };
 

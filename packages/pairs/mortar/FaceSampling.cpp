@@ -21,7 +21,8 @@ constexpr double kDistorted = 1e-9;                 // relative size of the negl
 std::vector<MortarFace> facesOf(const Mesh& mesh, const ContactSurface& contact, bool onA) {
   const Surface& surface = *(onA ? contact.a : contact.b).surface;
   std::vector<MortarFace> all;
-  for (int side = 0; side < surface.sides(); ++side) all.emplace_back(surface, side, contact.sideOfBody(mesh.bodyOfNode[surface.nodesOf(side)[0]], onA));
+  for (int side = 0; side < surface.sides(); ++side)
+    all.emplace_back(surface, side, contact.sideOfBody(mesh.bodyOfNode[surface.nodesOf(side)[0]], onA));
   return all;
 }
 

@@ -28,9 +28,22 @@ std::vector<int> nodesOf(const Comm& comm, const std::vector<SubdomainMesh>& mes
   return unionOverRanks(comm, mine);
 }
 
+/// True if a condition at a point acts on one of some nodes of the mesh, ascending. The same on all ranks. Collective.
+bool haveConditionAtPoint(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                          const std::vector<int>& nodes) {
+  const auto isAmong = [&](GlobalId node) { return std::binary_search(nodes.begin(), nodes.end(), int(node)); };
+  int mine = 0, all = 0;
+  for (const Load& load : model.loads) mine = mine || (load.kind == Load::Kind::PointForce && load.node >= 0 && isAmong(load.node));
+  for (const SubdomainMesh& mesh : meshes)
+    for (const Support& support : mesh.supports) mine = mine || (support.atPoint && isAmong(mesh.globalNodes[std::size_t(support.node)]));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
+  return all != 0;
+}
+
 }  // namespace
 
-std::vector<std::string> singularNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Solution& solution) {
+std::vector<std::string> singularNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                       const Solution& solution) {
   const Extreme& stress = solution.extremes.vonMises;
   std::vector<PlaceInQuestion> places;
   std::vector<std::string> names;  // on rank 0
@@ -53,7 +66,9 @@ std::vector<std::string> singularNotes(const Comm& comm, const std::vector<Subdo
     places.push_back({{}, pressed});
     names.push_back("pressure");
   }
-  const std::vector<std::string> found = singularities(comm, meshes, places, closed);
+  std::vector<std::string> found = singularities(comm, meshes, places, closed);
+  if (stress.exists() && stress.value > 0.0 && haveConditionAtPoint(comm, meshes, model, places.front().nodes))
+    found.front() = "where a condition acts on a single node";
   int dimension = 0, all = 0;
   for (const SubdomainMesh& mesh : meshes) dimension = mesh.dimension;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, dimension, Teuchos::outArg(all));
