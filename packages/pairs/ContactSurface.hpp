@@ -65,7 +65,7 @@ struct ContactSurface : Contact {
   double compliance() const { return a.compliance + b.compliance; }
   /// True if both faces lie on the same single body, as those of a crack. Otherwise a body that is on both faces does not touch itself.
   bool isWithinOneBody() const { return a.bodies.size() == 1 && a.bodies == b.bodies; }
-  /// Number by which the samplings tell the bodies of the two faces apart. \param onA  face of the body
+  /// Number by which the samplings distinguish the bodies of the two faces. \param onA  face of the body
   int sideOfBody(int body, bool onA) const { return isWithinOneBody() && !onA ? -1 - body : body; }
   /// Fraction of the change of curvature that face A takes when both faces are pressed together, as for two half-planes. One half where
   /// compliances are not known.
