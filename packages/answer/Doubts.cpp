@@ -15,6 +15,13 @@ void Doubts::add(const Verification& verdict, const std::string& when) {
   }
 }
 
+void Doubts::add(const Doubts& others) {
+  for (const auto& [name, check] : others.worst_) {
+    const auto [at, isNew] = worst_.try_emplace(name, check);
+    if (!isNew && check.value > at->second.value) at->second = check;
+  }
+}
+
 std::vector<std::string> Doubts::warnings() const {
   std::vector<std::string> all;
   for (const Quantity quantity : {Quantity::Slide, Quantity::Offset}) {

@@ -13,6 +13,7 @@ class Doubts {
  public:
   /// \param when  time of the solution: ", t = 0.5"; empty if there is only one
   void add(const Verification& verdict, const std::string& when = "");
+  void add(const Doubts& others);
   /// One sentence for each quantity above its warning threshold.
   std::vector<std::string> warnings() const;
 

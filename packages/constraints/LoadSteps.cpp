@@ -37,6 +37,12 @@ Schema LoadSteps::schema() {
                            .eachText("condition",
                                      "an expression in the time t, such as min(t, 1), or values at Times, {0.5, 1, 1}, linear between "
                                      "Times and from 0 at time 0"));
+  steps.list("Removed", Schema("Bodies and regions of bodies that are removed, as by an excavation, by name. The forces by which a removed "
+                               "part held the others fall to zero in the next load step.")
+                            .eachReal("part", "the last time at which it exists: 0 or one of Times"));
+  steps.list("Placed", Schema("Bodies that are placed later, such as a lining, by name; a placed body fits to the deformed sides of its "
+                              "contacts and has no stress until these move on.")
+                           .eachReal("body", "the time at which it is placed: one of Times"));
   return steps;
 }
 

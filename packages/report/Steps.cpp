@@ -31,10 +31,13 @@ long placeOfStep(const std::string& name, const std::string& kind) {
   return digits.find_first_not_of("0123456789") == std::string::npos ? std::stol(digits) : -1;
 }
 
-/// ParaView's file series: names of the files and their times.
-std::string seriesOf(const char* kind, const std::vector<StepRow>& rows) {
+/// ParaView's file series: names of the existing files and their times. Steps without contact pairs have no file of contact.
+std::string seriesOf(const std::filesystem::path& folder, const char* kind, const std::vector<StepRow>& rows) {
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < rows.size(); ++i) files.push_back({{"name", nameOfStep(kind, i)}, {"time", rows[i].time}});
+  std::error_code ignored;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (std::filesystem::exists(folder / nameOfStep(kind, i), ignored))
+      files.push_back({{"name", nameOfStep(kind, i)}, {"time", rows[i].time}});
   return nlohmann::ordered_json{{"file-series-version", "1.0"}, {"files", files}}.dump(2) + "\n";
 }
 
@@ -72,7 +75,7 @@ void writeStepFields(const Run& run, const std::vector<StepRow>& rows) {
       std::error_code error;
       std::filesystem::rename(unfinished, path, error);
       if (error) throw EnvironmentError("cannot move '" + path + "' into place: " + error.message());
-      writeTextFile((folder / (std::string(kind) + kEnding + ".series")).string(), seriesOf(kind, rows));
+      writeTextFile((folder / (std::string(kind) + kEnding + ".series")).string(), seriesOf(folder, kind, rows));
     });
   }
 }

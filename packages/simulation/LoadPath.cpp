@@ -5,6 +5,7 @@
 
 #include <Teuchos_Comm.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace suture {
@@ -26,7 +27,11 @@ LoadPath::LoadPath(const Comm& comm, const LoadSteps& steps, const PrescribedPar
 
 void LoadPath::setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) const {
   const std::vector<double> factors = steps_.at(time);
-  for (Load& load : model.loads) load.factor = factors[static_cast<std::size_t>(steps_.factorOf(load.name))];
+  for (Load& load : model.loads) {
+    const bool isReleased = load.kind == Load::Kind::NodalForces && load.name == kRelease;
+    load.factor = isReleased ? std::clamp((releaseEnd_ - time) / (releaseEnd_ - releaseBegin_), 0.0, 1.0)
+                             : factors[static_cast<std::size_t>(steps_.factorOf(load.name))];
+  }
 
   std::map<GlobalId, Point> values;
   std::map<int, std::array<double, 3>> closed;

@@ -31,6 +31,11 @@ class LoadPath {
   /// State for a checkpoint.
   PathState state(const std::vector<PairResult>& pairs) const;
 
+  /// Name of the load that replaces the forces of removed parts.
+  static constexpr const char* kRelease = "forces of removed parts";
+  /// Lets that load fall linearly from its full size at `begin` to zero at `end`.
+  void release(double begin, double end) { releaseBegin_ = begin, releaseEnd_ = end; }
+
   const LoadSteps& steps() const { return steps_; }
   /// Largest forces on each body over the steps so far; empty if unknown.
   const std::vector<BodyForces>& carried() const { return carried_; }
@@ -45,6 +50,7 @@ class LoadPath {
   PrescribedParts parts_;
   std::map<int, ContactPair::Past> past_;  // by id, of pairs that have one
   std::vector<BodyForces> carried_;
+  double releaseBegin_ = 0.0, releaseEnd_ = 0.0;
 };
 
 /// Pairs whose status differs between the ends of two steps. On rank 0.

@@ -107,7 +107,10 @@ void PathFollower::goOnFromStart(Solution& before) {
   const double tolerance = requestedAccuracy(scene().settings(), before);
   meter_.goOnFrom({parts_.cut.meshes, scene().model, before.displacement, before.pairs, parts_.cut.whole.pieces, tolerance},
                   path().rows.back().work);
-  monitor().note("continues at " + timeText(path().time()) + ", after load step " + std::to_string(path().rows.size()));
+  if (parts_.phaseNumber > 0)
+    monitor().note(timeText(path().time()) + ": " + parts_.plan->phases.changes(parts_.phaseNumber));
+  else
+    monitor().note("continues at " + timeText(path().time()) + ", after load step " + std::to_string(path().rows.size()));
 }
 
 /// Accepts a step and writes its row, work, fields and checkpoint.
@@ -127,10 +130,13 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
   row.active = states[1];
   row.sticking = states[2];
   row.slipping = states[3];
-  if (comm().getRank() == 0)
-    for (const ContactResultant& line :
-         contactResultants(solution.pairs, static_cast<int>(scene().contacts.size()), scene().model.axisymmetric))
-      row.forceOnB.push_back(line.onB.force);
+  if (comm().getRank() == 0) {
+    const std::vector<std::string>&all = parts_.contactsOfPath(), &own = scene().contacts;
+    row.forceOnB.assign(all.size(), {0, 0, 0});
+    const std::vector<ContactResultant> lines = contactResultants(solution.pairs, static_cast<int>(own.size()), scene().model.axisymmetric);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      row.forceOnB[static_cast<std::size_t>(std::find(all.begin(), all.end(), own[i]) - all.begin())] = lines[i].onB.force;
+  }
   doubts_.add(solution.verification, ", " + timeText(row.time));
   solution.verification.checks.push_back(
       {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
@@ -141,14 +147,14 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
   timed(timers(), "write", [&] {
     if (wantsFields(scene().settings())) writeStepFields(runOf(parts_, solution), path().rows);
     collectivelyOnRoot(comm(), "writing steps.csv", [&] {
-      writeSteps(path().rows, scene().contacts, (std::filesystem::path(parts_.run.folder()) / "steps.csv").string());
+      writeSteps(path().rows, parts_.contactsOfPath(), (std::filesystem::path(parts_.run.folder()) / "steps.csv").string());
     });
     writeState(parts_, solution);
   });
 }
 
 Solution PathFollower::follow() {
-  const std::vector<double>& times = scene().steps.times();
+  const std::vector<double> times = parts_.times();
   Solution before;
   bool hasBefore = !restart_.empty();
   path().length = std::numeric_limits<double>::infinity();

@@ -2,6 +2,7 @@
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/SceneParts.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace suture {
@@ -10,6 +11,17 @@ CutScene SceneParts::forMethod(bool changes) const {
   const bool needsLaw = !scene.model.exact.empty() || wantsErrorEstimate(scene.settings());
   return {run.commPtr(),    mesh,        constraints,    cut.partition, cut.meshes, scene.model,
           scene.settings(), scene.kinds, scene.contacts, scene.laws,    needsLaw,   changes};
+}
+
+std::vector<double> SceneParts::times() const {
+  std::vector<double> all = scene.steps.times();
+  if (plan) all.erase(std::upper_bound(all.begin(), all.end(), plan->phases.end(phaseNumber)), all.end());
+  return all;
+}
+
+double SceneParts::firstTime() const {
+  const std::vector<double>& all = scene.steps.times();
+  return *std::upper_bound(all.begin(), all.end() - 1, begin());
 }
 
 std::unique_ptr<Method> preparedMethod(const SceneParts& parts, std::unique_ptr<Method> method, bool changes) {

@@ -2,6 +2,7 @@
 #include <suture/report/Run.hpp>
 #include <suture/simulation/CutStage.hpp>
 #include <suture/simulation/LoadPath.hpp>
+#include <suture/simulation/Phases.hpp>
 #include <suture/simulation/RunContext.hpp>
 #include <suture/simulation/Scene.hpp>
 #include <suture/solver/Method.hpp>
@@ -11,6 +12,13 @@
 #include <vector>
 
 namespace suture {
+
+/// Plan of a scene with phases.
+struct PhasePlan {
+  Phases phases;
+  Scene whole;                       ///< with all bodies
+  std::shared_ptr<const Mesh> mesh;  ///< the whole mesh with its bodies and regions, on rank 0
+};
 
 /// A scene cut into subdomains, which all later stages of a run share. Stays at one place in memory: methods and load paths refer to it.
 struct SceneParts {
@@ -26,9 +34,21 @@ struct SceneParts {
   CutMesh cut{};
   ProblemSize size{};
   std::unique_ptr<LoadPath> path{};  ///< null: neither load steps nor coupling
-  double megabytes = 0.0;            ///< memory for all ranks, estimated
-  double liftWork = 0.0;             ///< work of the loads in the rigid motions removed, missing in the energies of the method
+  /// Phases of a scene whose bodies are removed or placed on its path, with the scene of all bodies; null: there are none.
+  std::shared_ptr<const PhasePlan> plan{};
+  std::unique_ptr<const PhaseScene> phase{};  ///< the present phase; null without phases
+  int phaseNumber = 0;
+  double megabytes = 0.0;  ///< memory for all ranks, estimated
+  double liftWork = 0.0;   ///< work of the loads in the rigid motions removed, missing in the energies of the method
 
+  /// Time at which the present phase begins; zero without phases.
+  double begin() const { return plan ? plan->phases.begin(phaseNumber) : 0.0; }
+  /// Ends of the load steps up to the end of the present phase.
+  std::vector<double> times() const;
+  /// End of the first load step of the present phase.
+  double firstTime() const;
+  /// Names of all contacts on the path, of which the present phase may have only some.
+  const std::vector<std::string>& contactsOfPath() const { return plan ? plan->whole.contacts : scene.contacts; }
   /// True if the scene has load steps, all of which are requested.
   bool followsPath() const { return !scene.steps.empty() && path && !scene.isOneStep; }
   /// The scene as input of its method. \param changes  loads and prescribed values change between solutions

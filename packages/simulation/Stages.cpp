@@ -14,6 +14,7 @@
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/PathFollower.hpp>
+#include <suture/simulation/PhaseChange.hpp>
 #include <suture/simulation/ReadStage.hpp>
 #include <suture/simulation/Stages.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
@@ -26,9 +27,38 @@
 
 namespace suture {
 
+namespace {
+
+/// Plan of a scene whose bodies are removed or placed on its path; null: there are none. Collective.
+std::shared_ptr<const PhasePlan> planOf(const RunContext& run, const Scene& scene) {
+  Phases phases(scene);
+  if (phases.empty()) return nullptr;
+  return timed(run.timers(), "read", [&] {
+    auto mesh = std::make_shared<const Mesh>(readBodies(run.comm(), scene));
+    return std::make_shared<const PhasePlan>(PhasePlan{std::move(phases), scene, std::move(mesh)});
+  });
+}
+
+/// Parts of one phase of a plan. Collective.
+std::unique_ptr<SceneParts> partsOfPhase(const RunContext& run, std::shared_ptr<const PhasePlan> plan, int number) {
+  auto phase = std::make_unique<const PhaseScene>(run.comm(), plan->whole, plan->phases, number, plan->mesh);
+  auto parts = std::make_unique<SceneParts>(run, phase->scene());
+  parts->plan = std::move(plan);
+  parts->phase = std::move(phase);
+  parts->phaseNumber = number;
+  return parts;
+}
+
+}  // namespace
+
 MeshedScene read(RunContext run, Scene scene) {
+  if (std::shared_ptr<const PhasePlan> plan = planOf(run, scene)) return MeshedScene::of(partsOfPhase(run, std::move(plan), 0));
+  return MeshedScene::of(std::make_unique<SceneParts>(std::move(run), std::move(scene)));
+}
+
+MeshedScene MeshedScene::of(std::unique_ptr<SceneParts> given) {
   MeshedScene result;
-  result.parts_ = std::make_unique<SceneParts>(std::move(run), std::move(scene));
+  result.parts_ = std::move(given);
   SceneParts& parts = *result.parts_;
   result.method_ = makeMethod(parts.scene.settings(), !parts.scene.contacts.empty());
   parts.isWhole = result.method_->needsWholeMesh() || !isCut(parts.scene);
@@ -49,7 +79,7 @@ PartitionedScene cut(MeshedScene meshed) {
   resolveLoads(comm, parts.cut.meshes, parts.scene.model);
   if (parts.scene.steps.empty()) return result;
   parts.path = std::make_unique<LoadPath>(comm, parts.scene.steps, parts.cut.whole.prescribed);
-  parts.path->setTime(parts.scene.steps.times().front(), parts.scene.model, parts.cut.meshes, parts.constraints);
+  parts.path->setTime(parts.firstTime(), parts.scene.model, parts.cut.meshes, parts.constraints);
   return result;
 }
 
@@ -108,6 +138,9 @@ void PreparedScene::remark() const {
 
 void PreparedScene::startFrom(const std::string& restart) {
   SceneParts& parts = *parts_;
+  if (!restart.empty() && parts.plan)
+    throw InputError("--restart",
+                     "a scene whose bodies are removed or placed cannot be continued from a checkpoint; run it from its beginning");
   if (!restart.empty())
     start_ = readCheckpoint(parts.run.comm(), restart, parts.cut.whole.hash, parts.cut.meshes, &restart_);
   else if (!parts.scene.levels.empty() && method_->takesStart())
@@ -152,13 +185,41 @@ void SolvedScene::solveAtOnce(const std::optional<Start>& start) {
 }
 
 void SolvedScene::followPath(std::optional<Start> start, PathState restart) {
-  RepeatedSolver solver(*parts_, std::move(method_), std::move(start));
-  PathFollower follower(*parts_, solver, std::move(restart));
-  solution_ = follower.follow();
-  method_ = solver.takeMethod();
-  doubts_ = follower.doubts();
-  unfinished_ = follower.unfinished();
+  int outer = 0, pcg = 0, other = 0;  // counts of earlier phases
+  for (;;) {
+    RepeatedSolver solver(*parts_, std::move(method_), std::move(start));
+    PathFollower follower(*parts_, solver, std::move(restart));
+    solution_ = follower.follow();
+    solution_.iterations += outer;
+    solution_.pcgTotal += pcg;
+    solution_.otherApplications += other;
+    method_ = solver.takeMethod();
+    doubts_.add(follower.doubts());
+    unfinished_ = follower.unfinished();
+    if (!unfinished_.empty() || !parts_->plan || parts_->phaseNumber + 1 == parts_->plan->phases.count()) break;
+    outer = solution_.iterations, pcg = solution_.pcgTotal, other = solution_.otherApplications;
+    restart = enterNextPhase(start);
+  }
   isJudged_ = !parts_->path->rows.empty();  // step by step
+}
+
+/// Replaces the scene by its next phase, with the state at the end of the present one. \param start  receives the start of its solver
+PathState SolvedScene::enterNextPhase(std::optional<Start>& start) {
+  const std::set<std::string> absentBefore = parts_->plan->phases.absent(parts_->phaseNumber);
+  PhaseChange change(*parts_, solution_);
+  method_.reset();
+  MeshedScene meshed = MeshedScene::of(partsOfPhase(parts_->run, parts_->plan, parts_->phaseNumber + 1));
+  change.fit(*meshed.parts_, absentBefore);
+  PartitionedScene partitioned = cut(std::move(meshed));
+  SceneParts& next = *partitioned.parts_;
+  change.goOn(next, next.firstTime());
+  next.path->setTime(next.firstTime(), next.scene.model, next.cut.meshes, next.constraints);
+  PreparedScene prepared = prepare(check(std::move(partitioned)));
+  parts_ = std::move(prepared.parts_);
+  method_ = std::move(prepared.method_);
+  overlaps_.emplace(std::move(prepared.overlaps_));
+  start = change.start();
+  return change.path();
 }
 
 JudgedScene judge(SolvedScene solved) {
@@ -180,7 +241,7 @@ JudgedScene judge(SolvedScene solved) {
   if (!parts.followsPath()) solved.doubts_.add(solution.verification);
   add(solved.doubts_.warnings());
   if (solution.converged)
-    add(timed(parts.run.timers(), "verify", [&] { return solved.overlaps_.added(comm, parts.scene, solution.displacement); }));
+    add(timed(parts.run.timers(), "verify", [&] { return solved.overlaps_->added(comm, parts.scene, solution.displacement); }));
   add(singularNotes(comm, parts.cut.meshes, parts.scene.model, solution));
   return JudgedScene(std::move(solved));
 }

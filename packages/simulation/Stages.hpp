@@ -34,7 +34,9 @@ class MeshedScene {
   const Constraints& constraints() const { return parts_->constraints; }  ///< likewise
 
  private:
+  static MeshedScene of(std::unique_ptr<SceneParts> parts);
   friend MeshedScene read(RunContext run, Scene scene);
+  friend class SolvedScene;
   friend class PartitionedScene;
   std::unique_ptr<SceneParts> parts_;
   std::unique_ptr<Method> method_;
@@ -55,6 +57,7 @@ class PartitionedScene {
   friend class CheckedScene check(PartitionedScene scene);
   friend class CheckedScene;
   friend class CoupledScene;
+  friend class SolvedScene;
   explicit PartitionedScene(MeshedScene meshed) : parts_(std::move(meshed.parts_)), method_(std::move(meshed.method_)) {}
   std::unique_ptr<SceneParts> parts_;
   std::unique_ptr<Method> method_;
@@ -126,9 +129,10 @@ class SolvedScene {
       : parts_(std::move(prepared.parts_)), method_(std::move(prepared.method_)), overlaps_(std::move(prepared.overlaps_)) {}
   void solveAtOnce(const std::optional<Start>& start);
   void followPath(std::optional<Start> start, PathState restart);
+  PathState enterNextPhase(std::optional<Start>& start);
   std::unique_ptr<SceneParts> parts_;
   std::unique_ptr<Method> method_;
-  OverlapNotes overlaps_;
+  std::optional<OverlapNotes> overlaps_;
   Solution solution_;
   Doubts doubts_;           // doubts about the load steps
   std::string unfinished_;  // reason why the path ended early; empty: it did not

@@ -54,6 +54,9 @@ WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
 void WorkMeter::goOnFrom(const Answer& answer, const PathWork& soFar) {
   before_ = endOf(answer);
   work_ = soFar;
+  // Energy that parts of the scene contain which exist no more, or not yet, is not part of the balance.
+  work_.external += before_.stored - work_.stored;
+  work_.stored = before_.stored;
 }
 
 void WorkMeter::add(const Answer& answer) {

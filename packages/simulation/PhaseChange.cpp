@@ -1,0 +1,207 @@
+#include <suture/answer/verdict/NodalForces.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/simulation/PhaseChange.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+/// Imbalance of a node relative to the largest one, below which it is the accuracy of the solution before and no released force.
+constexpr double kReleased = 1e-6;
+/// Largest imbalance relative to the internal forces, below which nothing is released.
+constexpr double kBalancedForces = 1e-10;
+
+struct NodeVector {
+  GlobalId node;
+  Point value;
+};
+
+std::vector<PairForce> forcesOf(const PathState& path, const Start& start) {
+  std::vector<PairForce> forces;
+  for (const PathState::Pair& pair : path.pairs) {
+    const auto state = start.status.find(pair.id);
+    forces.push_back({pair.id, state == start.status.end() ? ContactState() : state->second, pair.force, pair.tangential});
+  }
+  return forces;
+}
+
+/// The part of a nodal force that no prescribed component takes up.
+Point freePart(const NodeRule* rule, Point force, int dimension) {
+  for (int k = 0; rule && k < dimension; ++k)
+    if (rule->fixed[static_cast<std::size_t>(k)]) {
+      const Point& axis = rule->axes[static_cast<std::size_t>(k)];
+      force = minus(force, scaled(dot(axis, force), axis));
+    }
+  return force;
+}
+
+}  // namespace
+
+PhaseChange::PhaseChange(const SceneParts& before, const Solution& solution) {
+  const Comm& comm = before.run.comm();
+  std::vector<NodeVector> mine;
+  for (std::size_t s = 0; s < before.cut.meshes.size(); ++s) {
+    const SubdomainMesh& mesh = before.cut.meshes[s];
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      if (!counts(mesh, node)) continue;
+      NodeVector value{mesh.globalNodes[static_cast<std::size_t>(node)], {0, 0, 0}};
+      for (int k = 0; k < mesh.dimension; ++k)
+        value.value[static_cast<std::size_t>(k)] = solution.displacement[s][Eigen::Index(node) * mesh.dimension + k];
+      mine.push_back(value);
+    }
+  }
+  const std::vector<int>& whole = before.phase->nodeOfWhole();
+  for (const NodeVector& one : joinOnRoot(comm, mine)) displacement_[whole[static_cast<std::size_t>(one.node)]] = one.value;
+  path_ = before.path->state(solution.pairs);
+  for (std::size_t i = 0; i < solution.pairs.size(); ++i) {
+    const PairResult& pair = solution.pairs[i];
+    pairs_[{before.scene.contacts[static_cast<std::size_t>(pair.line)], whole[static_cast<std::size_t>(pair.node)]}].push_back(
+        {pair, path_.pairs[i].past});
+  }
+  for (std::size_t b = 0; b < path_.carried.size(); ++b) carried_[before.scene.model.bodies[b]] = path_.carried[b];
+}
+
+Point PhaseChange::displacementOf(int node) const {
+  const auto found = displacement_.find(node);
+  return found == displacement_.end() ? Point{0, 0, 0} : found->second;
+}
+
+void PhaseChange::fit(SceneParts& next, const std::set<std::string>& absentBefore) {
+  if (next.run.comm().getRank() != 0) return;
+  const std::vector<int>& whole = next.phase->nodeOfWhole();
+  for (ContactPair& pair : next.constraints.pairs) {
+    std::vector<Point> ofEnds;
+    bool isPlaced = false;
+    for (const PairEnd& end : pair.ends) {
+      const int body = next.mesh.bodyOfNode[static_cast<std::size_t>(end.node)];
+      isPlaced = isPlaced || absentBefore.count(next.mesh.bodies[static_cast<std::size_t>(body)]) > 0;
+      ofEnds.push_back(displacementOf(whole[static_cast<std::size_t>(end.node)]));
+    }
+    if (!isPlaced) continue;
+    for (std::size_t e = 0; e < pair.ends.size(); ++e) pair.gap += pair.ends[e].weight * dot(ofEnds[e], pair.normal);
+    pair.past.slip = slipOf(pair, ofEnds);
+    fitted_[pair.id] = pair.past;
+  }
+}
+
+void PhaseChange::takePairs(const SceneParts& next) {
+  path_.pairs.clear();
+  start_.status.clear();
+  if (next.run.comm().getRank() != 0) return;
+  const std::vector<int>& whole = next.phase->nodeOfWhole();
+  std::map<Key, std::size_t> used;
+  for (const ContactPair& pair : next.constraints.pairs) {
+    const Key key{next.scene.contacts[static_cast<std::size_t>(pair.line)], whole[static_cast<std::size_t>(pair.node())]};
+    const auto found = pairs_.find(key);
+    const std::size_t place = used[key]++;
+    if (found == pairs_.end() || place >= found->second.size()) {
+      const auto fitted = fitted_.find(pair.id);
+      path_.pairs.push_back({pair.id, fitted == fitted_.end() ? ContactPair::Past() : fitted->second, 0.0, {0, 0, 0}});
+      continue;
+    }
+    const Pair& old = found->second[place];
+    path_.pairs.push_back({pair.id, old.past, old.result.force, old.result.tangential});
+    start_.status[pair.id] = old.result.state;
+  }
+}
+
+std::vector<Vector> PhaseChange::displacementsOn(const Comm& comm, const std::vector<SubdomainMesh>& meshes) const {
+  std::vector<NodeVector> all;
+  for (const auto& [node, value] : displacement_) all.push_back({node, value});
+  broadcast(comm, all);
+  std::vector<Vector> values;
+  for (const SubdomainMesh& mesh : meshes) {
+    Vector& own = values.emplace_back(Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension));
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      const GlobalId wanted = mesh.globalNodes[static_cast<std::size_t>(node)];
+      const auto at = std::lower_bound(all.begin(), all.end(), wanted, [](const NodeVector& a, GlobalId b) { return a.node < b; });
+      if (at == all.end() || at->node != wanted) continue;
+      for (int k = 0; k < mesh.dimension; ++k) own[Eigen::Index(node) * mesh.dimension + k] = at->value[static_cast<std::size_t>(k)];
+    }
+  }
+  return values;
+}
+
+void PhaseChange::goOn(SceneParts& next, double end) {
+  const Comm& comm = next.run.comm();
+  takePairs(next);
+  broadcast(comm, path_.pairs);
+  struct StatusOf {
+    int id;
+    ContactState state;
+  };
+  std::vector<StatusOf> states;
+  for (const auto& [id, state] : start_.status) states.push_back({id, state});
+  broadcast(comm, states);
+  for (const StatusOf& one : states) start_.status[one.id] = one.state;
+  // From here on by the nodes of the next phase.
+  std::map<int, Point> byNode;
+  if (comm.getRank() == 0) {
+    const std::vector<int>& whole = next.phase->nodeOfWhole();
+    for (std::size_t node = 0; node < whole.size(); ++node) byNode[static_cast<int>(node)] = displacementOf(whole[node]);
+  }
+  displacement_ = std::move(byNode);
+  start_.displacement = displacementsOn(comm, next.cut.meshes);
+  path_.carried.clear();
+  for (const std::string& body : next.scene.model.bodies) {
+    const auto found = carried_.find(body);
+    path_.carried.push_back(found == carried_.end() ? BodyForces() : found->second);
+  }
+  next.path->goOnFrom(path_);
+  addRelease(next, end);
+}
+
+void PhaseChange::addRelease(SceneParts& next, double end) const {
+  const Comm& comm = next.run.comm();
+  const double begin = next.path->time();
+  next.path->setTime(begin, next.scene.model, next.cut.meshes, next.constraints);
+  std::vector<const SubdomainMesh*> meshes;
+  for (const SubdomainMesh& mesh : next.cut.meshes) meshes.push_back(&mesh);
+  const std::vector<PairResult> pairs =
+      pairResults(comm, meshes, start_.displacement, comm.getRank() == 0 ? forcesOf(path_, start_) : std::vector<PairForce>());
+  const SeamExchange seams(comm, next.cut.meshes);
+  const NodalForces forces =
+      nodalForces(comm, {next.cut.meshes, next.scene.model, start_.displacement, pairs, next.cut.whole.pieces}, seams);
+  std::vector<NodeVector> mine;
+  double largest[2] = {0.0, 0.0}, most[2];  // imbalance, internal force
+  for (std::size_t s = 0; s < next.cut.meshes.size(); ++s) {
+    const SubdomainMesh& mesh = next.cut.meshes[s];
+    const NodalRows rows{mesh.dimension};
+    std::map<int, const NodeRule*> ruleOf;
+    for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      if (!counts(mesh, node)) continue;
+      const auto sums = forces.nodes[s].col(node);
+      NodeVector lacking{mesh.globalNodes[static_cast<std::size_t>(node)], {0, 0, 0}};
+      for (int k = 0; k < mesh.dimension; ++k) {
+        const double internal = sums[rows.internal() + k];
+        lacking.value[static_cast<std::size_t>(k)] = internal - sums[rows.applied() + k] - sums[rows.contact() + k];
+        largest[1] = std::max(largest[1], std::abs(internal));
+      }
+      const auto rule = ruleOf.find(node);
+      lacking.value = freePart(rule == ruleOf.end() ? nullptr : rule->second, lacking.value, mesh.dimension);
+      largest[0] = std::max(largest[0], norm(lacking.value));
+      mine.push_back(lacking);
+    }
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, largest, most);
+  if (most[0] <= kBalancedForces * most[1]) return;
+  Load release;
+  release.kind = Load::Kind::NodalForces;
+  release.name = LoadPath::kRelease;
+  for (const NodeVector& one : joinEverywhere(comm, mine))
+    if (norm(one.value) > kReleased * most[0]) release.forces[one.node] = one.value;
+  next.scene.model.loads.push_back(std::move(release));
+  next.path->release(begin, end);
+}
+
+}  // namespace suture

@@ -1,0 +1,52 @@
+#pragma once
+#include <suture/report/Checkpoint.hpp>
+#include <suture/simulation/SceneParts.hpp>
+#include <suture/solver/Method.hpp>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace suture {
+
+/// State of a scene at the end of a phase, and its transfer to the parts of the next phase: displacements by the nodes of the whole mesh,
+/// pairs by contact and carrying node.
+class PhaseChange {
+ public:
+  /// \param before  parts of the phase that ends; may be destroyed afterwards. Collective.
+  PhaseChange(const SceneParts& before, const Solution& solution);
+
+  /// Fits placed bodies to the deformed sides of their contacts: initial gaps and slips of their pairs are measured from now on. Before the
+  /// mesh is cut. Local (rank 0; does nothing on other ranks). \param absentBefore  bodies and regions that did not exist in the last phase
+  void fit(SceneParts& next, const std::set<std::string>& absentBefore);
+
+  /// Continues the load path in the next phase, which is cut: histories of pairs, steps so far, and the forces by which removed parts held
+  /// the others, as a load that falls to zero until `end`. Collective.
+  void goOn(SceneParts& next, double end);
+
+  /// After goOn(): start of the solver, and of its path.
+  const Start& start() const { return start_; }
+  const PathState& path() const { return path_; }
+
+ private:
+  /// Contact and carrying node of a pair, in the whole mesh. Pairs of one key keep their order.
+  using Key = std::pair<std::string, int>;
+  struct Pair {
+    PairResult result;
+    ContactPair::Past past;
+  };
+  std::map<Key, std::vector<Pair>> pairs_;  // on rank 0
+  std::map<int, Point> displacement_;       // node of the whole mesh; on rank 0
+  std::map<std::string, BodyForces> carried_;
+  PathState path_;
+  Start start_;
+  std::map<int, ContactPair::Past> fitted_;  // by id in the next phase, of pairs of placed bodies; on rank 0
+
+  Point displacementOf(int node) const;
+  void takePairs(const SceneParts& next);
+  std::vector<Vector> displacementsOn(const Comm& comm, const std::vector<SubdomainMesh>& meshes) const;
+  void addRelease(SceneParts& next, double end) const;
+};
+
+}  // namespace suture
