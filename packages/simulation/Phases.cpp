@@ -6,6 +6,7 @@
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/Phases.hpp>
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
@@ -39,16 +40,21 @@ std::vector<char> kept(const Mesh& mesh, const Parameters& bodies, const std::se
   return keeps;
 }
 
-/// Removes entries of a list whose groups have lost all their sides. \param parameters  names of the parameters with groups
-void dropWithoutSides(Parameters& list, const std::vector<std::string>& parameters, const std::set<std::string>& lost) {
+/// Removes groups that have lost all their sides from the entries of a list, and entries that have no group left.
+/// \param parameters  names of the parameters with groups
+void dropLostGroups(Parameters& list, const std::vector<std::string>& parameters, const std::set<std::string>& lost) {
   for (const std::string& name : sublistNames(list))
     for (const std::string& parameter : parameters) {
-      if (!list.sublist(name).isParameter(parameter)) continue;
-      const std::vector<std::string> groups = groupNames(list.sublist(name), parameter);
-      const auto isLost = [&](const std::string& group) { return lost.count(group) > 0; };
-      if (groups.empty() || !std::all_of(groups.begin(), groups.end(), isLost)) continue;
-      list.remove(name);
-      break;
+      if (!list.isSublist(name) || !list.sublist(name).isParameter(parameter)) continue;
+      std::vector<std::string> groups = groupNames(list.sublist(name), parameter);
+      const std::size_t before = groups.size();
+      groups.erase(std::remove_if(groups.begin(), groups.end(), [&](const std::string& group) { return lost.count(group) > 0; }),
+                   groups.end());
+      if (groups.size() == before) continue;
+      if (groups.empty())
+        list.remove(name);
+      else
+        list.sublist(name).set(parameter, Teuchos::Array<std::string>(groups));
     }
 }
 
@@ -172,8 +178,8 @@ PhaseScene::PhaseScene(const Comm& comm, const Scene& whole, const Phases& phase
       if (hasRegion(ofPhase, body, name)) ofPhase.sublist(body).sublist("Regions").remove(name);
   }
   Parameters& conditions = all.sublist("Boundary Conditions");
-  dropWithoutSides(conditions, {"Group"}, lost);
-  dropWithoutSides(all.sublist("Contact"), {"Side A", "Side B"}, lost);
+  dropLostGroups(conditions, {"Group"}, lost);
+  dropLostGroups(all.sublist("Contact"), {"Side A", "Side B"}, lost);
   dropOfBodies(conditions, absent);
   Parameters& steps = all.sublist("Load Steps");
   for (const char* list : {kRemoved, kPlaced}) steps.remove(list);
