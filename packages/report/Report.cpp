@@ -105,7 +105,7 @@ Written writeReport(const Run& run, ExitCode code) {
     writeProbes(run, readProbes(*run.scene.parameters, run.model.bodies), staging.path().string());
     collectivelyOnRoot(run.comm, "writing history.csv", [&] {
       writeHistory(run.monitor.rows(), staging / "history.csv");
-      if (!run.steps.empty()) writeSteps(run.steps, run.contacts, staging / tables[2]);
+      if (!run.steps.empty()) writeSteps(run.steps, run.contactsOfPath, staging / tables[2]);
     });
   }
   Written written{{}, runFigures(run)};

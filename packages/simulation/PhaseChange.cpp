@@ -106,6 +106,7 @@ void PhaseChange::takePairs(const SceneParts& next) {
     if (found == pairs_.end() || place >= found->second.size()) {
       const auto fitted = fitted_.find(pair.id);
       path_.pairs.push_back({pair.id, fitted == fitted_.end() ? ContactPair::Past() : fitted->second, 0.0, {0, 0, 0}});
+      if (const ContactLaw& law = next.scene.laws.of(pair.line); !law.separates()) start_.status[pair.id] = law.pressed();
       continue;
     }
     const Pair& old = found->second[place];

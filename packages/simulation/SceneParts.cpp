@@ -71,7 +71,8 @@ Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& i
           parts.run.folder(),
           parts.cut.whole.conditions,
           parts.scene.contacts,
-          parts.path ? parts.path->rows : std::vector<StepRow>()};
+          parts.path ? parts.path->rows : std::vector<StepRow>(),
+          parts.contactsOfPath()};
 }
 
 void writeState(const SceneParts& parts, const Solution& solution) {
