@@ -221,6 +221,10 @@ void applyLaws(const ContactLaws& laws, const Mesh& mesh, Constraints& constrain
     ruleOf.assign(static_cast<std::size_t>(mesh.nodes()), nullptr);
     for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
   }
+  for (ContactPiece& piece : constraints.pieces) {
+    const auto isGlued = [&](int id) { return laws.of(constraints.pairs[static_cast<std::size_t>(id)].line).ignoresGap(); };
+    if (std::all_of(piece.pairs.begin(), piece.pairs.end(), isGlued)) piece.pressureDoubt = 0.0;  // it is an error of the gaps
+  }
   for (ContactPair& pair : constraints.pairs) {
     const ContactLaw& law = laws.of(pair.line);
     if (law.ignoresGap()) pair.gap = 0.0;

@@ -9,8 +9,8 @@ PrescribedParts prescribedParts(const Mesh& mesh, const Constraints& constraints
   PrescribedParts parts;
   parts.rules = constraints.prescribed;
   if (parts.empty()) return parts;
-  Constraints alone = constraints;  // without gaps: each row's gap is then the contribution of one factor alone
-  for (ContactPair& pair : alone.pairs) pair.gap = 0.0;
+  Constraints alone = constraints;  // without gaps and slips: each row's gap is then the contribution of one factor alone
+  for (ContactPair& pair : alone.pairs) pair.gap = 0.0, pair.past = {};
   for (const std::vector<RuleValue>& values : parts.rules) {
     for (NodeRule& rule : alone.rules) rule.value = {0, 0, 0};
     for (const RuleValue& value : values)

@@ -5,6 +5,7 @@
 #include <set>
 #include <suture/base/Collective.hpp>
 #include <suture/report/Fields.hpp>
+#include <suture/report/Format.hpp>
 #include <suture/report/Provenance.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/report/VtkHdf.hpp>
@@ -18,7 +19,7 @@ constexpr int kPieceElements = 4096;  // work space of a megabyte, stays in the 
 // Consecutive subdomains and the values to be written for them.
 struct Piece {
   GridPiece grid;
-  std::vector<double> displacement, nodalStress, nodalPrincipal, nodalVonMises;
+  std::vector<double> displacement, since, nodalStress, nodalPrincipal, nodalVonMises;
   std::vector<GlobalId> nodeId;
   std::vector<double> stress, principal, firstDirection, lastDirection, vonMises, young, error;
   std::vector<int> subdomain, body, material;
@@ -27,8 +28,8 @@ struct Piece {
   bool isFull() const { return grid.types.size() >= kPieceElements; }
   // Keeps the allocated memory.
   void clear() {
-    for (auto* values : {&grid.points, &displacement, &nodalStress, &nodalPrincipal, &nodalVonMises, &stress, &principal, &firstDirection,
-                         &lastDirection, &vonMises, &young, &error})
+    for (auto* values : {&grid.points, &displacement, &since, &nodalStress, &nodalPrincipal, &nodalVonMises, &stress, &principal,
+                         &firstDirection, &lastDirection, &vonMises, &young, &error})
       values->clear();
     for (auto* values : {&grid.connectivity, &grid.ends, &nodeId, &elementId}) values->clear();
     for (auto* values : {&subdomain, &body, &material}) values->clear();
@@ -84,6 +85,13 @@ void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vect
     for (int k = 0; k < 3; ++k) all.displacement.push_back(k < mesh.dimension ? mesh.total(u, Eigen::Index(n) * mesh.dimension + k) : 0.0);
     all.nodeId.push_back(mesh.globalNodes[std::size_t(n)]);
   }
+}
+
+/// \param u  displacements since an earlier time
+void addSince(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vector& u, Piece& all) {
+  for (int n = 0; n < mesh.nodes(); ++n)
+    for (int k = 0; k < 3 && numbers.isNew(mesh, n); ++k)
+      all.since.push_back(k < mesh.dimension ? u[Eigen::Index(n) * mesh.dimension + k] : 0.0);
 }
 
 void append(std::vector<double>& values, std::initializer_list<double> more) { values.insert(values.end(), more); }
@@ -201,6 +209,9 @@ class FieldRows {
       nodalPrincipal_.emplace(atNodes("NodalPrincipalStress", 3, std::string("largest, middle, smallest of the tensor; ") + kRecovered));
       nodalVonMises_.emplace(atNodes("NodalVonMises", 1, kRecovered));
     }
+    if (run.solution.sinceTime)
+      since_.emplace(file.pointData<double>(
+          {"DisplacementSince", 3, units_.length, format("x, y, z; since the time %g; along the axes", *run.solution.sinceTime)}));
     if (!run.model.materialOfRegion.empty()) young_.emplace(reals("YoungModulus", 1, units_.stress, "of the element's material"));
     if (run.solution.discretisation)
       error_.emplace(reals("ErrorEstimate", 1, "(" + units_.stress + " " + units_.length + "^2)^(1/2)",
@@ -226,6 +237,7 @@ class FieldRows {
       nodalPrincipal_->append(piece.nodalPrincipal);
       nodalVonMises_->append(piece.nodalVonMises);
     }
+    if (since_) since_->append(piece.since);
     if (young_) young_->append(piece.young);
     if (error_) error_->append(piece.error);
     subdomain_->append(piece.subdomain);
@@ -248,7 +260,7 @@ class FieldRows {
   Hdf5Rows<double> displacement_;
   Hdf5Rows<GlobalId> nodeId_;
   Hdf5Rows<double> stress_, principal_, firstDirection_, lastDirection_, vonMises_;
-  std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, young_, error_;
+  std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, since_, young_, error_;
   std::optional<Hdf5Rows<int>> subdomain_, body_, material_;
   std::optional<Hdf5Rows<GlobalId>> elementId_;
 };
@@ -262,6 +274,7 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     const Vector& u = run.solution.displacement[s];
     addNodes(mesh, numbers, u, piece);
     if (!run.solution.nodalStresses.empty()) addNodalStresses(mesh, numbers, run.solution.nodalStresses[s], piece);
+    if (run.solution.sinceTime) addSince(mesh, numbers, run.solution.since[s], piece);
     addCells(mesh, numbers.of(mesh), piece);
     addMaterials(mesh, run.model, materials, piece);
     const auto own = run.solution.ownStresses.find(static_cast<int>(s));

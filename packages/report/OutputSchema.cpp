@@ -31,6 +31,10 @@ Schema outputSchema() {
             "Interval in minutes: the first outer iteration that ends after it writes checkpoint.h5, so that a killed run loses at most "
             "this time and the current iteration. Removed at the end of a run that converged. 0: never.",
             Range::atLeast(0), "min")
+      .real("Displacements Since", 0.0,
+            "One of Load Steps/Times: later steps also have the displacements since then (field DisplacementSince, summary, console), as "
+            "those caused by an excavation without those of the in-situ state. 0: none.",
+            Range::atLeast(0))
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
                     "Factor by which suture_plot enlarges the displacements; Automatic: to about a twentieth of the model size.")
       .list("Probes", Schema("Tables of values at points, along lines and on groups, named by the user.").each("<probe>", probeSchema()));

@@ -81,6 +81,7 @@ void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, con
     for (const auto& own : solution.ownStresses)  // recovered with a wrong law
       solution.nodalStresses[own.first].setConstant(std::numeric_limits<double>::quiet_NaN());
   solution.extremes = findExtremes(comm, {meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses});
+  if (solution.sinceTime) solution.extremes.displacementSince = largestVector(comm, meshes, solution.since);
 }
 
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,

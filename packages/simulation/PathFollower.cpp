@@ -53,6 +53,9 @@ Solution PathFollower::solveStep(const Solution* before, bool isPrepared, double
     const double part = before ? continues(time) : 0.0;
     for (std::size_t i = 0; part != 0.0 && i < lastChange_.size(); ++i) expected.push_back(before->displacement[i] + part * lastChange_[i]);
     solution = solver_.solve(before, isPrepared, part != 0.0 ? &expected : nullptr);
+    solution.sinceTime = parts_.sinceTime();
+    for (std::size_t i = 0; solution.sinceTime && i < parts_.reference.size(); ++i)
+      solution.since.push_back(solution.displacement[i] - parts_.reference[i]);
     if (solution.converged) judgeSolution(parts_, solver_.method().subdomains(), solution);
   } catch (const NumericalError& error) {
     brokeDown_ = true;
@@ -142,6 +145,7 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
       {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
   path().accept(solution.pairs, solution.verification.forces);
   path().rows.push_back(row);
+  if (row.time == scene().settings().sublist("Output").get<double>("Displacements Since")) parts_.reference = solution.displacement;
   monitor().endStep(row);
   if (!parts_.run.writes()) return;
   timed(timers(), "write", [&] {

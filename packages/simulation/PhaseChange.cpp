@@ -46,21 +46,29 @@ Point freePart(const NodeRule* rule, Point force, int dimension) {
 
 }  // namespace
 
-PhaseChange::PhaseChange(const SceneParts& before, const Solution& solution) {
-  const Comm& comm = before.run.comm();
+/// Nodal vectors of all ranks, on rank 0. Collective.
+std::map<int, Point> PhaseChange::byWholeNode(const SceneParts& parts, const std::vector<Vector>& values) const {
   std::vector<NodeVector> mine;
-  for (std::size_t s = 0; s < before.cut.meshes.size(); ++s) {
-    const SubdomainMesh& mesh = before.cut.meshes[s];
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    const SubdomainMesh& mesh = parts.cut.meshes[s];
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       NodeVector value{mesh.globalNodes[static_cast<std::size_t>(node)], {0, 0, 0}};
       for (int k = 0; k < mesh.dimension; ++k)
-        value.value[static_cast<std::size_t>(k)] = solution.displacement[s][Eigen::Index(node) * mesh.dimension + k];
+        value.value[static_cast<std::size_t>(k)] = values[s][Eigen::Index(node) * mesh.dimension + k];
       mine.push_back(value);
     }
   }
+  std::map<int, Point> all;
+  const std::vector<int>& whole = parts.phase->nodeOfWhole();
+  for (const NodeVector& one : joinOnRoot(parts.run.comm(), mine)) all[whole[static_cast<std::size_t>(one.node)]] = one.value;
+  return all;
+}
+
+PhaseChange::PhaseChange(const SceneParts& before, const Solution& solution) {
+  displacement_ = byWholeNode(before, solution.displacement);
+  if (before.sinceTime()) reference_ = byWholeNode(before, before.reference);
   const std::vector<int>& whole = before.phase->nodeOfWhole();
-  for (const NodeVector& one : joinOnRoot(comm, mine)) displacement_[whole[static_cast<std::size_t>(one.node)]] = one.value;
   path_ = before.path->state(solution.pairs);
   for (std::size_t i = 0; i < solution.pairs.size(); ++i) {
     const PairResult& pair = solution.pairs[i];
@@ -115,12 +123,17 @@ void PhaseChange::takePairs(const SceneParts& next) {
   }
 }
 
-std::vector<Vector> PhaseChange::displacementsOn(const Comm& comm, const std::vector<SubdomainMesh>& meshes) const {
+/// Vectors at the nodes of all subdomains; zero where there is none. Collective.
+std::vector<Vector> PhaseChange::onMeshes(const SceneParts& next, const std::map<int, Point>& byWholeNode) const {
   std::vector<NodeVector> all;
-  for (const auto& [node, value] : displacement_) all.push_back({node, value});
-  broadcast(comm, all);
+  if (next.run.comm().getRank() == 0) {
+    const std::vector<int>& whole = next.phase->nodeOfWhole();
+    for (std::size_t node = 0; node < whole.size(); ++node)
+      if (const auto found = byWholeNode.find(whole[node]); found != byWholeNode.end()) all.push_back({GlobalId(node), found->second});
+  }
+  broadcast(next.run.comm(), all);
   std::vector<Vector> values;
-  for (const SubdomainMesh& mesh : meshes) {
+  for (const SubdomainMesh& mesh : next.cut.meshes) {
     Vector& own = values.emplace_back(Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension));
     for (int node = 0; node < mesh.nodes(); ++node) {
       const GlobalId wanted = mesh.globalNodes[static_cast<std::size_t>(node)];
@@ -144,20 +157,14 @@ void PhaseChange::goOn(SceneParts& next, double end) {
   for (const auto& [id, state] : start_.status) states.push_back({id, state});
   broadcast(comm, states);
   for (const StatusOf& one : states) start_.status[one.id] = one.state;
-  // From here on by the nodes of the next phase.
-  std::map<int, Point> byNode;
-  if (comm.getRank() == 0) {
-    const std::vector<int>& whole = next.phase->nodeOfWhole();
-    for (std::size_t node = 0; node < whole.size(); ++node) byNode[static_cast<int>(node)] = displacementOf(whole[node]);
-  }
-  displacement_ = std::move(byNode);
-  start_.displacement = displacementsOn(comm, next.cut.meshes);
+  start_.displacement = onMeshes(next, displacement_);
   path_.carried.clear();
   for (const std::string& body : next.scene.model.bodies) {
     const auto found = carried_.find(body);
     path_.carried.push_back(found == carried_.end() ? BodyForces() : found->second);
   }
   next.path->goOnFrom(path_);
+  if (next.sinceTime()) next.reference = onMeshes(next, reference_);
   addRelease(next, end);
 }
 

@@ -36,16 +36,17 @@ class PhaseChange {
     PairResult result;
     ContactPair::Past past;
   };
-  std::map<Key, std::vector<Pair>> pairs_;  // on rank 0
-  std::map<int, Point> displacement_;       // node of the whole mesh; on rank 0
+  std::map<Key, std::vector<Pair>> pairs_;         // on rank 0
+  std::map<int, Point> displacement_, reference_;  // node of the whole mesh; on rank 0
   std::map<std::string, BodyForces> carried_;
   PathState path_;
   Start start_;
   std::map<int, ContactPair::Past> fitted_;  // by id in the next phase, of pairs of placed bodies; on rank 0
 
+  std::map<int, Point> byWholeNode(const SceneParts& parts, const std::vector<Vector>& values) const;
   Point displacementOf(int node) const;
   void takePairs(const SceneParts& next);
-  std::vector<Vector> displacementsOn(const Comm& comm, const std::vector<SubdomainMesh>& meshes) const;
+  std::vector<Vector> onMeshes(const SceneParts& next, const std::map<int, Point>& byWholeNode) const;
   void addRelease(SceneParts& next, double end) const;
 };
 

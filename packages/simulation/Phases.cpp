@@ -150,7 +150,7 @@ PhaseScene::PhaseScene(const Comm& comm, const Scene& whole, const Phases& phase
     : nodeOfWhole_(std::make_shared<std::vector<int>>()) {
   const std::set<std::string> absent = phases.absent(phase);
   const Parameters& bodies = whole.settings().sublist("Bodies");
-  // The mesh is made when the scene asks for it, but the names of groups without sides are needed before.
+  // The scene makes its mesh later, but the names of groups without sides are needed before.
   auto part = std::make_shared<Mesh>();
   Packer packer;
   packer.put(onRoot(comm, "finding the parts of a phase", [&] {

@@ -1,5 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Expression.hpp>
+#include <suture/base/Numbers.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/ConditionForm.hpp>
 #include <suture/elasticity/loads/LoadList.hpp>
@@ -12,6 +13,7 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <set>
 
 namespace suture {
@@ -62,6 +64,16 @@ void refuseObjects(const std::vector<std::string>& settings, Problems& problems)
     const std::string list = path.substr(0, path.find('/'));
     if (objects.count(list)) problems.add(path, "a scene made in C++ defines it by its objects: model, mesh, conditions, contacts");
   }
+}
+
+/// \throws InputError  displacements since a time that is not the end of a load step
+void checkSince(const Scene& scene) {
+  const Parameters& output = scene.settings().sublist("Output");
+  const double since = output.get<double>("Displacements Since");
+  const std::vector<double>& times = scene.steps.times();
+  if (since > 0.0 && std::find(times.begin(), times.end(), since) == times.end())
+    throw InputError(pathOf(output, "Displacements Since"),
+                     times.empty() ? "has no effect without Load Steps/Times" : realText(since) + " is not one of Load Steps/Times");
 }
 
 /// Adds the contacts to the scene's parameters: later stages look them up by name, and the record of a run needs them.
@@ -121,6 +133,7 @@ Scene sceneOf(const SceneFile& file) {
   for (const std::string& name : sublistNames(all->sublist("Boundary Conditions")))
     named.emplace_back(name, all->sublist("Boundary Conditions").sublist(name).get<std::string>("Type"));
   scene.steps = LoadSteps(all->sublist("Load Steps"), named, sceneConstants(*all));
+  checkSince(scene);
   scene.mesh = [all, folder = file.folder](const Comm& comm) { return readMesh(comm, all->sublist("Mesh"), folder); };
   scene.constraints = [all, scales = scalesOf(scene.model, *all), steps = scene.steps](const Mesh& mesh) {
     return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales, steps);

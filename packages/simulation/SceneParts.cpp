@@ -19,6 +19,11 @@ std::vector<double> SceneParts::times() const {
   return all;
 }
 
+std::optional<double> SceneParts::sinceTime() const {
+  const double time = scene.settings().sublist("Output").get<double>("Displacements Since");
+  return time > 0.0 && path && path->time() >= time ? std::optional<double>(time) : std::nullopt;
+}
+
 double SceneParts::firstTime() const {
   const std::vector<double>& all = scene.steps.times();
   return *std::upper_bound(all.begin(), all.end() - 1, begin());
@@ -40,6 +45,18 @@ Start startOf(const Comm& comm, const Solution& solution) {
   broadcast(comm, states);
   Start start{solution.displacement, {}};
   for (const PairStatusOf& pair : states) start.status[pair.id] = pair.state;
+  return start;
+}
+
+std::optional<Start> inSituStart(const SceneParts& parts) {
+  const std::vector<Load>& loads = parts.scene.model.loads;
+  const bool isStressed = std::any_of(loads.begin(), loads.end(), [](const Load& load) { return load.kind == Load::Kind::InitialStress; });
+  if (!isStressed || !parts.scene.laws.restrictSliding()) return std::nullopt;
+  Start start;
+  for (const SubdomainMesh& mesh : parts.cut.meshes) {
+    start.displacement.push_back(Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension));
+    for (const ContactRow& row : mesh.contactRows) start.status[row.pair.id] = parts.scene.laws.of(row.pair.line).pressed();
+  }
   return start;
 }
 

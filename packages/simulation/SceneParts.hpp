@@ -8,6 +8,7 @@
 #include <suture/solver/Method.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,9 @@ struct SceneParts {
   std::shared_ptr<const PhasePlan> plan{};
   std::unique_ptr<const PhaseScene> phase{};  ///< the present phase; null without phases
   int phaseNumber = 0;
-  double megabytes = 0.0;  ///< memory for all ranks, estimated
-  double liftWork = 0.0;   ///< work of the loads in the rigid motions removed, missing in the energies of the method
+  std::vector<Vector> reference{};  ///< displacements at the time of `Output/Displacements Since`, by mesh; empty before
+  double megabytes = 0.0;           ///< memory for all ranks, estimated
+  double liftWork = 0.0;            ///< work of the loads in the rigid motions removed, missing in the energies of the method
 
   /// Time at which the present phase begins; zero without phases.
   double begin() const { return plan ? plan->phases.begin(phaseNumber) : 0.0; }
@@ -49,6 +51,8 @@ struct SceneParts {
   double firstTime() const;
   /// Names of all contacts on the path, of which the present phase may have only some.
   const std::vector<std::string>& contactsOfPath() const { return plan ? plan->whole.contacts : scene.contacts; }
+  /// Time of `Output/Displacements Since`, if it has been reached; the same on all ranks.
+  std::optional<double> sinceTime() const;
   /// True if the scene has load steps, all of which are requested.
   bool followsPath() const { return !scene.steps.empty() && path && !scene.isOneStep; }
   /// The scene as input of its method. \param changes  loads and prescribed values change between solutions
@@ -61,6 +65,10 @@ std::unique_ptr<Method> preparedMethod(const SceneParts& parts, std::unique_ptr<
 
 /// Initial guess for the next loads: a solution of this scene. Collective.
 Start startOf(const Comm& comm, const Solution& solution);
+
+/// Initial guess of a frictional scene with initial stresses: no displacement, and all pairs stick. In-situ stress states usually satisfy
+/// the laws, and the rigid bodies from which a search starts otherwise know nothing of them. Nothing for other scenes.
+std::optional<Start> inSituStart(const SceneParts& parts);
 
 /// Settles undetermined motions, adds errors, verdict and extremes to a solution. Collective.
 /// \param subdomains  as in verifySolution()

@@ -169,6 +169,7 @@ Method::Keep checkpoints(const SceneParts& parts) {
 
 SolvedScene solve(PreparedScene prepared) {
   std::optional<Start> start = std::move(prepared.start_);
+  if (!start && prepared.method_->takesStart()) start = inSituStart(*prepared.parts_);
   PathState restart = std::move(prepared.restart_);
   SolvedScene result(std::move(prepared));
   if (result.parts_->followsPath())

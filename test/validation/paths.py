@@ -17,6 +17,18 @@ def path_ratio(folder, _, column, over, time):
     return path_value(folder, None, column, time) / path_value(folder, None, over, time)
 
 
+def path_largestDisplacement(folder, _, time, over=None):
+    """Largest magnitude of a displacement at a time, over that at another time."""
+    u = fields(folder, placeAt(steps(folder), time)).point["Displacement"]
+    return float(np.linalg.norm(u, axis=1).max() / (path_largestDisplacement(folder, None, over) if over is not None else 1.0))
+
+
+def path_displacementAt(folder, _, time, x, y, component):
+    """Component of the displacement of the node nearest to a point, in 2D."""
+    f = fields(folder, placeAt(steps(folder), time))
+    return float(f.point["Displacement"][np.argmin(np.hypot(f.points[:, 0] - x, f.points[:, 1] - y)), component])
+
+
 def path_meanDisplacement(folder, _, time, x, component=0):
     """Mean displacement of the nodes with the given x."""
     f = fields(folder, placeAt(steps(folder), time))

@@ -121,6 +121,17 @@ Extreme Largest::found() const {
   return first;
 }
 
+Extreme largestVector(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {
+  Search search;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    for (int node = 0; node < meshes[i].nodes(); ++node) {
+      const int d = meshes[i].dimension;
+      search.displacement(displacement[i].segment(Eigen::Index(node) * d, d).norm(), meshes[i].body, meshes[i].globalNodes[node],
+                          [&] { return meshes[i].point(node); });
+    }
+  return search.over(comm)[3];
+}
+
 Extremes findExtremes(const Comm& comm, const SearchedFields& fields) {
   Search search;
   collectively(comm, "finding the extremes", [&] {
@@ -143,7 +154,7 @@ Extremes findExtremes(const Comm& comm, const SearchedFields& fields) {
   compression.value = -compression.value;
   for (Extreme* one : {&tension, &compression})
     if (std::abs(one->value) <= kNoStress * vonMises.value) *one = {};
-  return {vonMises, tension, compression, displacement, recovered > 0};
+  return {vonMises, tension, compression, displacement, {}, recovered > 0};
 }
 
 }  // namespace suture

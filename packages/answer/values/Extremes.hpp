@@ -50,10 +50,11 @@ class Largest {
 /// Extremes of a solution over all bodies. A principal stress that is only round-off of others (uniaxial stress) is zero, without location.
 /// The 3D tensor counts: in 2D scenes the out-of-plane stress is one of the principal ones.
 struct Extremes {
-  Extreme vonMises;        ///< [stress]
-  Extreme tension;         ///< largest principal stress [stress]
-  Extreme compression;     ///< smallest principal stress [stress]
-  Extreme displacement;    ///< largest norm of u [length]
+  Extreme vonMises;             ///< [stress]
+  Extreme tension;              ///< largest principal stress [stress]
+  Extreme compression;          ///< smallest principal stress [stress]
+  Extreme displacement;         ///< largest norm of u [length]
+  Extreme displacementSince{};  ///< largest norm of u since the requested time; not there if none was requested [length]
   bool recovered = false;  ///< stresses are recovered ones at nodes, else those at centroids; Extreme::id is the node or element number
 };
 
@@ -65,6 +66,9 @@ struct SearchedFields {
   const std::map<int, Matrix>& own;         ///< centroid stresses of meshes with their own physics, by mesh index
   const std::vector<Matrix>& nodal;         ///< recovered stresses of each mesh; empty: centroids are used
 };
+
+/// Largest norm of a displacement relative to an earlier one. Collective. \param displacement  by mesh, node-major, Cartesian [length]
+Extreme largestVector(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement);
 
 /// The same on all ranks. Collective.
 Extremes findExtremes(const Comm& comm, const SearchedFields& fields);

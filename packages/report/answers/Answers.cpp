@@ -125,6 +125,10 @@ Json extremesJson(const Run& run, int dimension) {
               {"compression", extreme(run, found.compression, units.stress, dimension)},
               {"displacement", extreme(run, found.displacement, units.length, dimension)},
               {"pressure", Json()}};
+  if (run.solution.sinceTime) {
+    all["displacement_since"] = extreme(run, found.displacementSince, units.length, dimension);
+    all["displacement_since"]["time"] = *run.solution.sinceTime;
+  }
   if (const PairResult* pair = largestPressure(run.solution))
     all["pressure"] = {{"value", pair->pressure},
                        {"unit", units.stress},
@@ -161,6 +165,8 @@ std::string extremesText(const Run& run, int dimension) {
   text += "\n   principal stresses from " + told(run, "%.3e", found.compression, units.stress, dimension) + " to " +
           told(run, "%.3e", found.tension, units.stress, dimension);
   text += "\n   displacement up to " + told(run, "%.3e", found.displacement, units.length, dimension);
+  if (run.solution.sinceTime)
+    text += format(", since t = %g up to ", *run.solution.sinceTime) + told(run, "%.3e", found.displacementSince, units.length, dimension);
   if (const PairResult* pair = largestPressure(run.solution); pair && pair->pressure > 0.0)
     text += format("; contact pressure up to %.3e %s on '%s' at %s", pair->pressure, units.stress.c_str(),
                    contactName(run, pair->line).c_str(), placeText(pair->position, dimension).c_str());

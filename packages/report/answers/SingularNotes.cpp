@@ -1,6 +1,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <suture/answer/values/SingularPlaces.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/report/answers/Answers.hpp>
 #include <suture/report/answers/SingularNotes.hpp>
@@ -28,14 +29,24 @@ std::vector<int> nodesOf(const Comm& comm, const std::vector<SubdomainMesh>& mes
   return unionOverRanks(comm, mine);
 }
 
-/// True if a condition at a point acts on one of some nodes of the mesh, ascending. The same on all ranks. Collective.
-bool haveConditionAtPoint(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+constexpr double kFixesOnly = 1e-6;  // force of a point support over the largest resultant, below which it only fixes the position
+
+/// True if a condition at a point exerts a force on one of some nodes of the mesh, ascending. The same on all ranks. Collective.
+bool haveConditionAtPoint(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Reactions& reactions,
                           const std::vector<int>& nodes) {
+  double largest = 0.0;
+  for (const auto* list : {&reactions.supports, &reactions.loads, &reactions.springs})
+    for (const Resultant& one : *list) largest = std::max(largest, norm(one.force));
+  const auto carries = [&](const Support& support) {
+    const auto condition = static_cast<std::size_t>(support.condition);
+    return condition < reactions.supports.size() && norm(reactions.supports[condition].force) > kFixesOnly * largest;
+  };
   const auto isAmong = [&](GlobalId node) { return std::binary_search(nodes.begin(), nodes.end(), int(node)); };
   int mine = 0, all = 0;
   for (const Load& load : model.loads) mine = mine || (load.kind == Load::Kind::PointForce && load.node >= 0 && isAmong(load.node));
   for (const SubdomainMesh& mesh : meshes)
-    for (const Support& support : mesh.supports) mine = mine || (support.atPoint && isAmong(mesh.globalNodes[std::size_t(support.node)]));
+    for (const Support& support : mesh.supports)
+      mine = mine || (support.atPoint && carries(support) && isAmong(mesh.globalNodes[std::size_t(support.node)]));
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
   return all != 0;
 }
@@ -67,7 +78,8 @@ std::vector<std::string> singularNotes(const Comm& comm, const std::vector<Subdo
     names.push_back("pressure");
   }
   std::vector<std::string> found = singularities(comm, meshes, places, closed);
-  if (stress.exists() && stress.value > 0.0 && haveConditionAtPoint(comm, meshes, model, places.front().nodes))
+  if (stress.exists() && stress.value > 0.0 &&
+      haveConditionAtPoint(comm, meshes, model, solution.verification.reactions, places.front().nodes))
     found.front() = "where a condition acts on a single node";
   int dimension = 0, all = 0;
   for (const SubdomainMesh& mesh : meshes) dimension = mesh.dimension;
