@@ -5,12 +5,13 @@
 #include <suture/base/Collective.hpp>
 
 #include "CommandLine.hpp"
+#include "Watch.hpp"
 
 namespace suture {
 
 std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
   commandLine.assign(argv, argv + argc);
-  std::string output;
+  std::string output, watched;
   const auto describe = [&](CLI::App& app) {
     CLI::Option* file = app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->type_name("FILE");
     CLI::Option* set = addSetOption(app, overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"");
@@ -29,11 +30,19 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
                                          "Repeat the run recorded in a summary.json, instead of SCENE, and compare the results; default of "
                                          "--output: the folder of that run with '_again'")
                               ->type_name("FILE");
+    CLI::Option* live = app.add_option("--watch", watched,
+                                       "Show the iterations of the run that writes into a folder, instead of solving; ends with that run")
+                            ->type_name("DIR");
     app.footer(
         "Exit codes: 0 converged and verified, 2 command line, 3 input, 4 not converged or not verified, 5 environment (memory, files,\n"
-        "libraries), 70 a bug in Suture, 75 stopped on request. Without solving: 0 done.");
-    app.callback([=] {
+        "libraries), 70 a bug in Suture, 75 stopped on request. Without solving: 0 done. --watch: the code of that run.");
+    app.callback([=, &app] {
       if (quiet && verbose) throw CLI::ExcludesError("--verbose", "--quiet");
+      if (live->count() > 0) {
+        for (const CLI::Option* other : app.get_options())
+          if (other != live && other->count() > 0) throw CLI::ExcludesError(other->get_name(), live->get_name());
+        return;
+      }
       if (scene.empty() && again.empty()) throw CLI::RequiredError("SCENE");
       for (const CLI::Option* other : {file, set, from, look, print, plugin, severe})
         if (!again.empty() && other->count() > 0) throw CLI::ExcludesError(other->get_name(), repeat->get_name());
@@ -42,6 +51,7 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
   const auto end =
       parseCommandLine(argc, argv, "suture_solve",
                        "Solves a scene: equilibrium of elastic bodies in unilateral contact, by domain decomposition.", describe);
+  if (!end && !watched.empty()) return watch(watched);
   if (!output.empty()) overrides.push_back("Output/Folder=" + output);
   return end;
 }

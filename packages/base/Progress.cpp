@@ -24,10 +24,29 @@ Progress::Watch::~Watch() { watched = before_; }
 void Progress::phase(const std::string& name) {
   if (!watched) return;
   watched->change([&](State& state) {
-    state = {};
-    state.phase = name;
-    state.since = Timers::now();
+    State next;
+    next.phase = name;
+    next.since = Timers::now();
+    next.path = state.path;
+    next.pathSince = state.pathSince;
+    state = next;
   });
+}
+
+Progress::Path::Path() {
+  if (!watched) return;
+  watched->change([](State& state) {
+    state.path = 0.0;
+    state.pathSince = Timers::now();
+  });
+}
+
+Progress::Path::~Path() {
+  if (watched) watched->change([](State& state) { state.path = -1.0; });
+}
+
+void Progress::Path::reach(double part) const {
+  if (watched) watched->change([part](State& state) { state.path = part; });
 }
 
 Progress::Step::Step(const std::string& name) {

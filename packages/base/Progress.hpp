@@ -17,6 +17,8 @@ class Progress {
     long total = 0;           ///< objects in total; zero: unknown
     double residual = -1.0;   ///< residual of the last iteration, relative to the start; negative: no solver runs
     double tolerance = 0.0;   ///< residual at which the iterations stop
+    double path = -1.0;       ///< part of the load path that is done, from 0 to 1; negative: no load steps
+    double pathSince = 0.0;   ///< start of the load path, by Timers::now() [s]
   };
   State state() const;
 
@@ -40,6 +42,15 @@ class Progress {
     ~Step();
     Step(const Step&) = delete;
     Step& operator=(const Step&) = delete;
+  };
+  /// A path of load steps, while the object exists. It continues through phases.
+  struct Path {
+    Path();
+    ~Path();
+    Path(const Path&) = delete;
+    Path& operator=(const Path&) = delete;
+    /// \param part  of the path that is done, from 0 to 1
+    void reach(double part) const;
   };
   /// Counts one more of `total` objects.
   static void count(const char* unit, long total);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/report/History.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <system_error>
 #include <vector>
@@ -103,12 +104,18 @@ FolderLock::~FolderLock() {
 RunFolder::RunFolder(const Comm& comm, const std::string& folder) : lock_((prepareFolder(comm, folder), comm), folder) {
   collectivelyOnRoot(comm, "preparing the output folder", [&] {
     removeTemporaries(folder);
+    live_ = (fs::path(folder) / LiveHistory::kName).string();
     const fs::path summary = fs::path(folder) / "summary.json";
     std::error_code error;
     if (!fs::exists(summary, error)) return;
     fs::rename(summary, fs::path(folder) / "summary.previous.json", error);
     if (error) throw EnvironmentError("cannot rename '" + summary.string() + "': " + error.message());
   });
+}
+
+RunFolder::~RunFolder() {
+  std::error_code ignored;
+  if (!live_.empty()) fs::remove(live_, ignored);
 }
 
 void writeTextFile(const std::string& path, const std::string& text) {

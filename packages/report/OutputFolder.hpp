@@ -26,14 +26,22 @@ class FolderLock {
 
 /// The prepared and locked folder of one run. Files of an earlier run stay until the new results are complete, except its summary.json,
 /// which is renamed to summary.previous.json at once so that it is not mistaken for the summary of this run if this run fails. Removes
-/// temporary files of killed runs.
+/// temporary files of killed runs, and at its end the LiveHistory of this run.
 class RunFolder {
  public:
   /// Collective. \throws EnvironmentError
   RunFolder(const Comm& comm, const std::string& folder);
+  /// Local.
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  /// Path of the LiveHistory; empty on other ranks than 0.
+  const std::string& liveHistory() const { return live_; }
 
  private:
   FolderLock lock_;
+  std::string live_;
 };
 
 /// Writes a text file under a temporary name in the same folder and renames it, so that readers never see an incomplete file. Local.

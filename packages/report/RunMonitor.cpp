@@ -39,6 +39,7 @@ void RunMonitor::outer(const OuterRow& given) {
               << std::endl;
   }
   rows_.push_back(row);
+  if (live_) live_->add(row);
 }
 
 void RunMonitor::endStep(const StepRow& row) {

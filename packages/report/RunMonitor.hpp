@@ -1,9 +1,11 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
+#include <suture/report/History.hpp>
 #include <suture/report/Steps.hpp>
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,9 @@ class RunMonitor : public Monitor {
   /// Prints the row of a load step.
   void endStep(const StepRow& row);
 
+  /// Also appends each row to the file of a LiveHistory.
+  void recordIn(const std::string& path) { live_ = std::make_unique<LiveHistory>(path); }
+
   /// Sets an energy unknown to the solver that is added to the energy of every row.
   void shiftEnergy(double shift) { energyShift_ = shift; }
 
@@ -59,6 +64,7 @@ class RunMonitor : public Monitor {
   std::function<bool()> stop_;
   std::vector<OuterRow> rows_;
   std::vector<std::string> notes_;
+  std::unique_ptr<LiveHistory> live_;
 };
 
 }  // namespace suture

@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/Progress.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/answers/Answers.hpp>
@@ -170,6 +171,8 @@ Solution PathFollower::follow() {
     collectivelyOnRoot(comm(), "removing fields of an earlier run", [&] { removeStepFields(parts_.run.folder(), path().rows.size()); });
   Solution total;  // counts of all steps
   StepRow row;
+  const Progress::Path progress;
+  const double pathBegin = path().time(), pathLength = times.back() - pathBegin;
   bool isPrepared = !hasBefore;
   int changedFirst = 0, changedBefore = 0;  // pairs, in the last two trials of the step
   double began = Timers::now();
@@ -214,6 +217,7 @@ Solution PathFollower::follow() {
     if (changed <= kEasy * allowed) path().length *= 2;
     if (path().length >= whole) path().length = std::numeric_limits<double>::infinity();
     acceptStep(solution, hasBefore ? &before : nullptr, row);
+    progress.reach((time - pathBegin) / pathLength);
     total.iterations += row.outer;
     total.pcgTotal += row.pcg;
     total.otherApplications += solution.otherApplications;

@@ -11,6 +11,7 @@ RunContext::RunContext(const CommPtr& comm, RunMonitor& monitor, Timers& timers)
 void RunContext::writeInto(const std::string& folder) {
   folder_ = folder;
   output_ = std::make_shared<const RunFolder>(*comm_, folder);
+  if (!output_->liveHistory().empty()) monitor_->recordIn(output_->liveHistory());
 }
 
 }  // namespace suture
