@@ -76,10 +76,24 @@ void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, co
       timed(timers, "estimate", [&] { return averagedEstimate(comm, meshes, scene.model, solution.displacement, earlier); });
 }
 
+namespace {
+
+/// Removes stresses that were recovered with a wrong law.
+void forgetOwn(const Solution& solution, std::vector<Matrix>& nodal) {
+  for (const auto& own : solution.ownStresses) nodal[own.first].setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+std::vector<Matrix> recoveredStresses(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                      const Solution& solution) {
+  std::vector<Matrix> nodal = nodalStresses(comm, meshes, model, recoverStresses(comm, meshes, model, solution.displacement));
+  forgetOwn(solution, nodal);
+  return nodal;
+}
+
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution) {
-  if (!solution.nodalStresses.empty())
-    for (const auto& own : solution.ownStresses)  // recovered with a wrong law
-      solution.nodalStresses[own.first].setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (!solution.nodalStresses.empty()) forgetOwn(solution, solution.nodalStresses);
   solution.extremes = findExtremes(comm, {meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses});
   if (solution.sinceTime) solution.extremes.displacementSince = largestVector(comm, meshes, solution.since);
 }

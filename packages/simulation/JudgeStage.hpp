@@ -30,6 +30,11 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
 void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
                   const LoadPath* path, Solution& solution, Timers& timers);
 
+/// Stresses of a verified solution recovered at the nodes of each mesh: nodes x components. NaN for user-defined subdomains, whose stress
+/// law is unknown. Collective.
+std::vector<Matrix> recoveredStresses(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                      const Solution& solution);
+
 /// Adds the extremes of the verified solution. Collective.
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution);
 

@@ -278,4 +278,23 @@ RunResult JudgedScene::report(const Invocation& invocation) const {
   return {code, solution_.failure, written.summary};
 }
 
+void JudgedScene::writeTo(const std::string& folder) const {
+  const RunFolder locked(parts_->run.comm(), folder);
+  Run run = runOf(*parts_, solution_);
+  run.folder = folder;
+  if (!run.steps.empty() && wantsFields(parts_->scene.settings())) writeStepFields(run, run.steps);
+  writeReport(run, ending());
+}
+
+std::vector<Matrix> JudgedScene::nodalStresses() const {
+  if (wantsNodalStresses(parts_->scene.settings())) return solution_.nodalStresses;
+  return recoveredStresses(parts_->run.comm(), meshes(), parts_->scene.model, solution_);
+}
+
+std::vector<Probe> JudgedScene::probes() const { return readProbes(parts_->scene.settings(), parts_->scene.model.bodies); }
+
+std::vector<std::vector<ProbeValue>> JudgedScene::valuesAt(const std::vector<Probe>& probes, const std::vector<Matrix>& nodal) const {
+  return probeValues(runOf(*parts_, solution_), probes, nodal);
+}
+
 }  // namespace suture

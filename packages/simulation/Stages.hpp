@@ -2,6 +2,7 @@
 #include <suture/answer/Doubts.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/report/Invocation.hpp>
+#include <suture/report/answers/ProbeValues.hpp>
 #include <suture/simulation/OverlapNotes.hpp>
 #include <suture/simulation/SceneParts.hpp>
 
@@ -156,6 +157,17 @@ class JudgedScene {
   /// Writes the results, and the last lines of the console. Collective. \param invocation  for the record
   /// \throws InternalError  the run has no output folder
   RunResult report(const Invocation& invocation = {}) const;
+
+  /// Writes the results into another folder than that of the run, without output to the console. With load steps, only the fields of the
+  /// last step exist. Collective. \throws EnvironmentError
+  void writeTo(const std::string& folder) const;
+  /// Recovered stresses at the nodes of each subdomain of this rank: nodes x components; NaN for user-defined subdomains. Those of the
+  /// solution, or computed now. Collective.
+  std::vector<Matrix> nodalStresses() const;
+  /// Probes of the scene, `Output/Probes`. Local.
+  std::vector<Probe> probes() const;
+  /// Values at probes, on rank 0: see probeValues(). Collective. \throws InputError
+  std::vector<std::vector<ProbeValue>> valuesAt(const std::vector<Probe>& probes, const std::vector<Matrix>& nodal) const;
 
  private:
   friend JudgedScene judge(SolvedScene solved);
