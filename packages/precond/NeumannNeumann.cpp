@@ -32,22 +32,32 @@ void NeumannNeumann::doInitialize() {
   coarse_.reset();  // inverses belong to local problems and are kept for any space
 }
 
-void NeumannNeumann::doCompute() {
+void NeumannNeumann::computeLocals() {
   const LocalProblems& locals = matrix()->locals();
-  weighting_->setup(*space(), locals);
-  std::vector<Matrix> columns(locals.size());
   collectively(*space()->comm(), "factoring the local Neumann problems", [&] {
     locals_.resize(locals.size());
     inverses_.resize(locals.size());
     for (std::size_t i = 0; i < locals.size(); ++i) {
-      columns[i] = Matrix(space()->coupling(static_cast<int>(i)).rows(), 0);
-      if (!locals[i]) {
+      if (!locals[i])
         inverses_[i].reset();
-        locals_[i].reset();
-        continue;
-      }
-      if (locals_[i] != locals[i]) inverses_[i] = locals[i]->inverse();
+      else if (locals_[i] != locals[i])
+        inverses_[i] = locals[i]->inverse();
       locals_[i] = locals[i];
+    }
+  });
+  flux_.resize(space()->mostRows(), 1);
+  trace_.resize(space()->mostRows(), 1);
+}
+
+void NeumannNeumann::doCompute() {
+  const LocalProblems& locals = matrix()->locals();
+  weighting_->setup(*space(), locals);
+  computeLocals();
+  std::vector<Matrix> columns(locals.size());
+  collectively(*space()->comm(), "making the coarse space", [&] {
+    for (std::size_t i = 0; i < locals.size(); ++i) {
+      columns[i] = Matrix(space()->coupling(static_cast<int>(i)).rows(), 0);
+      if (!locals[i]) continue;
       Matrix z = coarseSpace_->columns(*locals[i]);
       weighting_->apply(static_cast<int>(i), z);
       // Rigid-body modes are of order one, and at a stiffness jump the weights of all columns are equally small, so a smaller column is
@@ -55,13 +65,24 @@ void NeumannNeumann::doCompute() {
       columns[i] = orthonormalBasis(z, 1e-10);
     }
   });
-  flux_.resize(space()->mostRows(), 1);
-  trace_.resize(space()->mostRows(), 1);
   int mine = 0, all = 0;
   for (const Matrix& own : columns) mine += static_cast<int>(own.cols());
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
   coarse_.reset();
   if (all > 0) coarse_ = std::make_unique<BalancingCoarse>(*matrix(), columns, coarseSolver_(), copies_);
+}
+
+void NeumannNeumann::addLocals(const Matrix& residual, Matrix& sum) const {
+  for (std::size_t i = 0; i < inverses_.size(); ++i) {
+    if (!inverses_[i]) continue;
+    const Coupling& coupling = space()->coupling(static_cast<int>(i));
+    auto flux = flux_.topRows(coupling.rows()), trace = trace_.topRows(coupling.rows());
+    coupling.restrictTo(residual, flux);
+    weighting_->applyTranspose(static_cast<int>(i), flux);
+    inverses_[i]->apply(flux, trace);
+    weighting_->apply(static_cast<int>(i), trace);
+    coupling.addTransposed(trace, sum);
+  }
 }
 
 void NeumannNeumann::doApply(const MultiVector& r, MultiVector& z) const {
@@ -77,16 +98,7 @@ void NeumannNeumann::doApply(const MultiVector& r, MultiVector& z) const {
       residual_ -= whole_;
     }
     sum_.setZero(residual_.rows(), 1);
-    for (std::size_t i = 0; i < inverses_.size(); ++i) {
-      if (!inverses_[i]) continue;
-      const Coupling& coupling = space()->coupling(static_cast<int>(i));
-      auto flux = flux_.topRows(coupling.rows()), trace = trace_.topRows(coupling.rows());
-      coupling.restrictTo(residual_, flux);
-      weighting_->applyTranspose(static_cast<int>(i), flux);
-      inverses_[i]->apply(flux, trace);
-      weighting_->apply(static_cast<int>(i), trace);
-      coupling.addTransposed(trace, sum_);
-    }
+    addLocals(residual_, sum_);
     if (coarse_) {
       whole_ = sum_;
       space()->sum(whole_);

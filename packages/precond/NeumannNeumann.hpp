@@ -13,7 +13,8 @@ namespace suture {
 ///     M^-1 = Q + (I - Q S) T (I - S Q),   T = sum_i R_i^T D_i S_i^+ D_i^T R_i,   Q = Z E^-1 Z^T,   E = Z^T S Z,
 /// with Z the columns D_i Z_i. For a residual orthogonal to Z this is the paper's sum of D_i (phi_i + z_i), with z chosen to minimise the
 /// error in the S norm; in this form it is symmetric positive definite for every residual. S Z is stored, so an application does not apply
-/// S. The condition number is C (1 + log H/h)^2. An application costs a Neumann solve per local problem and two coarse solves.
+/// S. The condition number is C (1 + log H/h)^2. An application costs a Neumann solve per local problem and two coarse solves. Subclasses
+/// may replace T by another symmetric operator.
 class NeumannNeumann : public Preconditioner {
  public:
   static Schema schema();
@@ -28,6 +29,11 @@ class NeumannNeumann : public Preconditioner {
   void doInitialize() override;
   void doCompute() override;
   void doApply(const MultiVector& r, MultiVector& z) const override;
+  /// Sets up T for matrix(); the weighting is already set up. Collective.
+  virtual void computeLocals();
+  /// sum <- sum + this rank's part of T residual, both as overlap values. Collective.
+  virtual void addLocals(const Matrix& residual, Matrix& sum) const;
+  const Weighting& weighting() const { return *weighting_; }
 
  private:
   std::unique_ptr<Weighting> weighting_;

@@ -151,6 +151,7 @@ Schema meshSchema() {
       .real("Mesh Size Factor", 1.0, "multiplies all mesh sizes of a .geo file", Range::positive())
       .choice("Generator", "None",
               {{"None", Schema("the mesh is in File")},
+               {kGivenMesh, Schema("the program that uses the library gives the mesh: arrays in Python")},
                {"Boxes", Schema("boxes that share no nodes, in the order of the scene file").each("body", boxSchema())}},
               "generates the mesh, in place of a File");
 }
@@ -165,6 +166,8 @@ Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folde
   Mesh made;
   collectivelyOnRoot(comm, "reading the mesh", [&] {
     if (source.path.empty()) {
+      if (mesh.get<std::string>("Generator") == kGivenMesh)
+        throw InputError(pathOf(mesh, "Generator"), std::string(kGivenMesh) + ", but no program gave a mesh; expected a File or Boxes");
       made = generateBoxes(mesh.sublist(mesh.get<std::string>("Generator")));
       return;
     }

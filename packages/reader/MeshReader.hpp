@@ -6,6 +6,9 @@
 
 namespace suture {
 
+/// `Generator` of scenes whose mesh is given by the program that uses the library (Scene::mesh); readMesh() refuses it.
+constexpr const char* kGivenMesh = "Given";
+
 /// Schema of the scene's list `Mesh`: File (.geo, .msh, .h5) or Generator with its own sublist; Constants and Mesh Size Factor for .geo.
 Schema meshSchema();
 
