@@ -15,9 +15,9 @@ namespace SUTURE_HIDDEN python {
 class PythonRun {
  public:
   /// Collective. \param text  of the scene, XML;  \param name  for messages;  \param folder  base of relative file names
-  /// \param shows  prints the table of the run
+  /// \param shows  prints the table of the run  \param mesh  suture.Mesh of a scene whose mesh is given, or None; rank 0 uses it
   PythonRun(const py::object& comm, const std::string& text, const std::string& name, const std::string& folder,
-            const std::vector<std::string>& overrides, bool shows);
+            const std::vector<std::string>& overrides, bool shows, const py::object& mesh);
   /// Does not free its vectors after the interpreter has ended: an object in a global variable outlives the libraries that free them.
   ~PythonRun();
   PythonRun(const PythonRun&) = delete;
@@ -31,6 +31,15 @@ class PythonRun {
   void doCoupled(const std::function<void(CoupledScene&)>& way);
   /// Calls a function on all ranks; an exception on one rank is raised on all. Collective.
   void doTogether(const std::function<void()>& way);
+
+  /// Writes the results into a folder. Collective.
+  void writeTo(const std::string& folder);
+  /// Recovered stresses of each subdomain of this rank, computed at the first call. Collective.
+  const std::vector<Matrix>& nodalStresses();
+  /// The probes of the scene, and on rank 0 their values. Collective.
+  std::vector<std::pair<Probe, std::vector<ProbeValue>>> probes();
+  /// Values at points, on rank 0. \param points  points x dimension, the same on all ranks  \param body  name, or "": any body. Collective.
+  std::vector<ProbeValue> valuesAt(const Matrix& points, const std::string& body);
 
   const CoupledScene& coupled() const;
   const Scene& scene() const;
@@ -55,9 +64,12 @@ class PythonRun {
     Scene scene;
     std::optional<JudgedScene> judged;
     std::optional<CoupledScene> coupled;
+    std::optional<std::vector<Matrix>> nodal;
 
     Parts(const CommPtr& ranks, bool shows);
   };
+
+  const JudgedScene& judged() const;
 
   py::object held_;  // the mpi4py communicator
   std::unique_ptr<Parts> parts_;

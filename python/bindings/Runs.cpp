@@ -2,6 +2,10 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <suture/report/Format.hpp>
 
 #include "PythonRun.hpp"
 
@@ -37,6 +41,25 @@ class Subdomain {
     return elementStresses(mesh(), run().scene().model, run().solution().displacement[place_]);
   }
   Vector vonMises() const { return suture::vonMises(stress()); }
+  std::vector<std::string> cells() const {
+    std::vector<std::string> names;
+    for (const Cell cell : mesh().cells) names.push_back(cellInfo(cell).name);
+    return names;
+  }
+  std::string repr() const {
+    const Vector& own = run().solution().displacement[place_];
+    double largest = 0.0;
+    for (int node = 0; node < mesh().nodes(); ++node) {
+      double square = 0.0;
+      for (int k = 0; k < mesh().dimension; ++k) {
+        const double u = mesh().total(own, Eigen::Index(node) * mesh().dimension + k);
+        square += u * u;
+      }
+      largest = std::max(largest, std::sqrt(square));
+    }
+    return format("<suture.Subdomain %d '%s' of body '%s': %d nodes, %d elements, largest displacement %.4g>", mesh().id,
+                  mesh().name.c_str(), body().c_str(), mesh().nodes(), mesh().elements(), largest);
+  }
 
  private:
   template <typename T>
@@ -67,6 +90,19 @@ class Pairs {
     return view(all_.empty() ? nullptr : reinterpret_cast<const int*>(&all_.front().state.status), {count()}, {stride()}, run_);
   }
   py::ssize_t count() const { return static_cast<py::ssize_t>(all_.size()); }
+  std::string repr() const {
+    if (all_.empty()) return "<suture.Pairs: none on this rank (rank 0 has all pairs)>";
+    int closed = 0, sticking = 0;
+    double gap = -std::numeric_limits<double>::infinity(), pressure = 0.0;
+    for (const PairResult& pair : all_) {
+      closed += pair.state.closed() ? 1 : 0;
+      sticking += pair.state.status == PairStatus::Stick ? 1 : 0;
+      gap = std::max(gap, pair.gap);
+      pressure = std::max(pressure, pair.pressure);
+    }
+    return format("<suture.Pairs: %d pairs, %d closed (%d of them stick), largest gap %.4g, largest pressure %.4g>",
+                  static_cast<int>(all_.size()), closed, sticking, gap, pressure);
+  }
 
  private:
   static constexpr py::ssize_t stride() { return sizeof(PairResult); }
@@ -85,6 +121,7 @@ void bindPairs(py::module_& module) {
   py::class_<Pairs> pairs(module, "Pairs",
                           "State of all contact pairs, on rank 0; empty on other ranks. Arrays expose the library's values.");
   pairs.def("__len__", &Pairs::count);
+  pairs.def("__repr__", &Pairs::repr);
   const auto add = [&pairs](const char* name, auto value, const char* doc) {
     pairs.def_property_readonly(
         name, [value](const Pairs& self) { return self.of(value); }, doc);
@@ -120,10 +157,57 @@ void bindSubdomain(py::module_& module) {
       .def_property_readonly("elements", &Subdomain::elementNumbers, "numbers of its elements in the mesh")
       .def_property_readonly("connectivity", &Subdomain::connectivity, "local nodes of element e: connectivity[offsets[e]:offsets[e + 1]]")
       .def_property_readonly("offsets", &Subdomain::offsets, "elements + 1")
+      .def_property_readonly("cells", &Subdomain::cells, "names of the shapes of its elements")
+      .def("__repr__", &Subdomain::repr)
       .def_property_readonly("displacement", &Subdomain::displacement, "nodes x dimension [length]")
       .def_property_readonly("stress", &Subdomain::stress,
                              "at centroids: elements x 4 (xx, yy, zz, xy), in 3D x 6 (xx, yy, zz, xy, yz, xz) [stress]")
       .def_property_readonly("von_mises", &Subdomain::vonMises, "of each element [stress]");
+}
+
+/// Values of a probe on rank 0, None on other ranks: one array for each value.
+py::object tableOf(const PythonRun& run, const std::vector<ProbeValue>& rows) {
+  const int dimension = run.scene().model.dimension;
+  const auto count = static_cast<py::ssize_t>(rows.size());
+  const auto width = static_cast<py::ssize_t>(dimension), components = static_cast<py::ssize_t>(dimension == 2 ? 4 : 6);
+  const auto array = [&](py::ssize_t columns, const auto& value) {
+    py::array_t<double> all(columns == 1 ? std::vector<py::ssize_t>{count} : std::vector<py::ssize_t>{count, columns});
+    double* at = all.mutable_data();
+    for (const ProbeValue& row : rows)
+      for (py::ssize_t k = 0; k < columns; ++k) *at++ = value(row, static_cast<std::size_t>(k));
+    return all;
+  };
+  py::dict table;
+  table["position"] = array(width, [](const ProbeValue& row, std::size_t k) { return row.place[k]; });
+  table["arc_length"] = array(1, [](const ProbeValue& row, std::size_t) { return row.arc; });
+  table["displacement"] = array(width, [](const ProbeValue& row, std::size_t k) { return row.displacement[k]; });
+  table["stress"] = array(components, [](const ProbeValue& row, std::size_t k) { return row.stress[k]; });
+  const auto of = [&](double PrincipalExtremes::*value) {
+    return array(1, [&](const ProbeValue& row, std::size_t) { return principalExtremes(row, dimension).*value; });
+  };
+  table["von_mises"] = of(&PrincipalExtremes::vonMises);
+  table["principal_1"] = of(&PrincipalExtremes::largest);
+  table["principal_3"] = of(&PrincipalExtremes::smallest);
+  table["gap"] = array(1, [](const ProbeValue& row, std::size_t) { return row.gap; });
+  table["pressure"] = array(1, [](const ProbeValue& row, std::size_t) { return row.pressure; });
+  py::list bodies;
+  for (const ProbeValue& row : rows) bodies.append(run.scene().model.bodies[static_cast<std::size_t>(row.body)]);
+  table["body"] = bodies;
+  return std::move(table);
+}
+
+/// All probes by name: their values on rank 0.
+py::dict probesOf(PythonRun& run) {
+  py::dict all;
+  for (const auto& [probe, rows] : run.probes()) all[py::str(probe.name)] = tableOf(run, rows);
+  return all;
+}
+
+/// Copies of the recovered stresses of each subdomain of this rank.
+py::list nodalOf(PythonRun& run) {
+  py::list all;
+  for (const Matrix& one : run.nodalStresses()) all.append(py::cast(one));
+  return all;
 }
 
 void bindHistory(py::module_& module) {
@@ -193,7 +277,8 @@ void bindRuns(py::module_& module) {
   bindSubdomain(module);
   bindSurface(module);
   py::class_<PythonRun, std::shared_ptr<PythonRun>>(module, "Run")
-      .def(py::init<const py::object&, const std::string&, const std::string&, const std::string&, const std::vector<std::string>&, bool>())
+      .def(py::init<const py::object&, const std::string&, const std::string&, const std::string&, const std::vector<std::string>&, bool,
+                    const py::object&>())
       .def("solve", &PythonRun::solve)
       .def("coupling",
            [](PythonRun& self, const std::string& group) {
@@ -207,6 +292,13 @@ void bindRuns(py::module_& module) {
       .def("solve_again", [](PythonRun& self, bool verified) { self.doCoupled([&](CoupledScene& coupled) { coupled.solve(verified); }); })
       .def("advance", [](PythonRun& self) { self.doCoupled([](CoupledScene& coupled) { coupled.advance(); }); })
       .def("displacements", &displacementsOf)
+      .def("write", &PythonRun::writeTo)
+      .def("nodal_stresses", &nodalOf)
+      .def("probes", &probesOf)
+      .def("probe",
+           [](PythonRun& self, const Matrix& points, const std::string& body) { return tableOf(self, self.valuesAt(points, body)); })
+      .def_property_readonly("bodies", [](const PythonRun& self) { return self.scene().model.bodies; })
+      .def_property_readonly("dimension", [](const PythonRun& self) { return self.scene().model.dimension; })
       .def_property_readonly("is_done", &PythonRun::isDone)
       .def_property_readonly("exit_code", &PythonRun::exitCode)
       .def_property_readonly("failure", &PythonRun::failure)

@@ -13,6 +13,7 @@ import numpy
 from mpi4py import MPI
 
 import suture
+from scenes import blocks
 
 WORLD = MPI.COMM_WORLD
 # This process has MPI's rank variables; a program that it starts must not inherit them.
@@ -20,20 +21,6 @@ APART = {name: value for name, value in os.environ.items() if not name.startswit
                                                                                     "OMPI_NUM", "OMPI_FIRST", "OMPI_MCA_ess", "OMPI_MCA_orte",
                                                                                     "OMPI_MCA_initial", "OMPI_FILE", "OMPI_ARGV", "OMPI_COMMAND"))}
 SOURCE, SOLVED, PROGRAMS = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
-
-
-def blocks(press=-0.1, law=None, **settings):
-    """Two blocks pressed together: strain press / 2, no transverse strain."""
-    side = {"Cells": [8, 8], "Cell": "Quadrilateral4", "Blocks": [2, 2], "X": [-1, 1]}
-    return {
-        "Title": "Two blocks", "Model": "Plane Strain",
-        "Mesh": {"Generator": "Boxes", "Boxes": {"upper": dict(side, Y=[0, 1]), "lower": dict(side, Y=[-1, 0])}},
-        "Bodies": {"upper": {"Material": "rubber"}, "lower": {"Material": "rubber"}},
-        "Materials": {"rubber": law or {"Young Modulus": 2e6, "Poisson Ratio": 0.0}},
-        "Boundary Conditions": {"press": {"Group": "upper_top", "Type": "Displacement", "Value": numpy.array([0.0, press])},
-                                "ground": {"Group": "lower_bottom", "Type": "Displacement", "Value": (0, 0)}},
-        "Contact": {"joint": {"Side A": "upper_bottom", "Side B": "lower_top"}},
-        "Partition": {"Type": "Named Groups", "Named Groups": {"Pattern": "subdomain_*"}}, **settings}
 
 
 class Runs(unittest.TestCase):

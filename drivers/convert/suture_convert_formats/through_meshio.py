@@ -23,6 +23,11 @@ def read(path):
     except (Exception, SystemExit) as error:  # meshio exits if it has no reader
         text = " ".join((str(error) if not isinstance(error, SystemExit) else said.getvalue()).split())
         raise ConvertError(f"{path}: meshio cannot read it: {text or type(error).__name__}") from error
+    return of_meshio(read_mesh)
+
+
+def of_meshio(read_mesh):
+    """\\return the Foreign mesh of a meshio.Mesh"""
     mesh = Foreign(read_mesh.points)
     rows = [mesh.add_block(block.type, block.data) for block in read_mesh.cells]
     for name, blocks in read_mesh.cell_sets.items():
