@@ -53,6 +53,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-suture)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/deb/prerm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "suture (= ${PROJECT_VERSION}), python3, python3-numpy, python3-mpi4py")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-meshio, python3-gmsh")  # for meshes from memory
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "contact of elastic bodies: Suture from Python
 Scenes from files or dictionaries, solved on an mpi4py communicator, answers as numpy arrays.")
 

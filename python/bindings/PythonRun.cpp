@@ -67,7 +67,7 @@ PythonRun::PythonRun(const py::object& comm, const std::string& text, const std:
     parts_->scene = sceneOf(*parts_->comm, file);
     if (parts_->scene.settings().sublist("Mesh").get<std::string>("Generator") == kGivenMesh)
       parts_->scene.mesh = [arrays = arraysOf(*parts_->comm, mesh)](const Comm& comm) {
-        return onRoot(comm, "making the mesh", [&] { return meshFromArrays(*arrays, "Mesh", "the mesh of the script"); });
+        return onRoot(comm, "making the mesh", [&] { return meshFromArrays(*arrays, "Mesh", "(arrays of the script)"); });
       };
   });
 }

@@ -113,7 +113,7 @@ def mesh_from_meshio(source):
 
 def mesh_from_gmsh():
     """A Mesh of the current model of the Gmsh API (import gmsh), which has been meshed; elements of order 1 or 2. Groups are the physical groups;
-    without a name they are called by their tag. Local; call it where the model is. Raises ValueError."""
+    without a name they are called "volume 2", "surface 7" or "curve 3", as in files. Local; call it where the model is. Raises ValueError."""
     import gmsh
 
     tags, coordinates, _ = gmsh.model.mesh.getNodes()
@@ -133,7 +133,7 @@ def mesh_from_gmsh():
             count = gmsh.model.mesh.getElementProperties(kind)[3]
             elements_of.setdefault(entity, []).append(foreign.add_block(GMSH_KINDS[kind], place[own.reshape(-1, count)]))
     for dimension, tag in gmsh.model.getPhysicalGroups():
-        name = gmsh.model.getPhysicalName(dimension, tag) or str(tag)
+        name = gmsh.model.getPhysicalName(dimension, tag) or "%s %d" % (("point", "curve", "surface", "volume")[dimension], tag)
         for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag):
             for own in elements_of.get((dimension, int(entity)), []):
                 foreign.add_to(foreign.groups, name, own)

@@ -4,9 +4,11 @@
 check_deb.py PREFIX --source ROOT --build DIR --work DIR: makes them by `cpack -G DEB` and prints, and fails for,
 - files of PREFIX, a plain installation, that are in no package or in two;
 - programs and libraries that are not stripped, or whose library path is not relative to themselves;
-- empty fields that users of apt see, and missing dependencies.
+- empty fields that users of apt see, and missing dependencies;
+- problems of check_python.py with the packages suture and python3-suture in one folder.
 """
 import argparse
+import os
 import pathlib
 import re
 import shutil
@@ -30,6 +32,18 @@ def checkElf(name, file):
     if ".symtab" in run("readelf", "-S", "-W", str(file)):
         problems.append(f"{name} is not stripped")
     return problems
+
+
+def checkPython(options):
+    """The Python package as it lies on Python's search path of a system."""
+    root = options.work / "root"
+    for package in ("suture", "python3-suture"):
+        shutil.copytree(options.work / package, root, symlinks=True, dirs_exist_ok=True)
+    check = pathlib.Path(__file__).resolve().parent / "check_python.py"
+    done = subprocess.run(["/usr/bin/python3", "-B", check, root / "usr", "--build", options.build, "--source", options.source],
+                          env=dict(os.environ, PYTHONPATH=str(root / "usr/lib/python3/dist-packages")), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    return [] if done.returncode == 0 else [f"python3-suture: {line}" for line in done.stdout.splitlines()[-20:]]
 
 
 def main():
@@ -80,6 +94,8 @@ def main():
     for name in ("bin/suture_solve", "share/suture/input/tunnel/tunnel.xml", "share/doc/suture/README.md"):
         if owner.get(name) != "suture":
             problems.append(f"{name} is in {owner.get(name, 'no package')}, not in suture")
+    if "python3-suture" in owner.values():
+        problems += checkPython(options)
     for problem in problems:
         print(problem)
     return 1 if problems else 0
