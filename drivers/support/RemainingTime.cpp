@@ -14,6 +14,8 @@ constexpr std::size_t kSteps = 3;   // load steps or objects before an estimate 
 constexpr std::size_t kIterations = 6;
 constexpr double kQuickest = 1.0;  // seconds, and part of the time so far, in which the estimate follows a change of the speed
 constexpr double kFollow = 0.1;
+// A step that takes longer than this many times the longest one so far, and than this part of the time so far, is stuck: nothing is known.
+constexpr double kStuck = 3.0, kStuckPart = 0.25;
 constexpr double kOverdue = 0.9;  // part of a step that counts as done while the step takes longer than expected
 
 }  // namespace
@@ -47,6 +49,9 @@ std::optional<double> RemainingTime::estimate(double now) const {
   const Sample &first = samples_.front(), &last = samples_.back();
   if (last.time <= first.time) return std::nullopt;
   if (last.work - first.work < kLeastPart * (whole_ - first.work)) return std::nullopt;
+  double longest = 0.0;
+  for (std::size_t i = 1; i < samples_.size(); ++i) longest = std::max(longest, samples_[i].time - samples_[i - 1].time);
+  if (now - last.time > std::max(kStuck * longest, kStuckPart * (last.time - first.time))) return std::nullopt;
   const double middle = 0.5 * (first.time + last.time);
   // At least one step lies behind the middle.
   const auto behind = std::find_if(samples_.begin(), samples_.end(), [&](const Sample& sample) { return sample.time > middle; });
