@@ -26,7 +26,7 @@ std::optional<RemainingTime::Work> RemainingTime::workOf(const Progress::State& 
   // A residual of zero or below its tolerance: the iteration is about to end.
   if (state.residual > state.tolerance && state.tolerance > 0.0)
     return Work{name + format("%.17g", state.tolerance), -std::log(state.residual), -std::log(state.tolerance), kIterations};
-  if (state.residual < 0.0 && state.total > 0)
+  if (state.residual < 0.0 && state.done < state.total)
     return Work{name + state.unit, static_cast<double>(state.done), static_cast<double>(state.total), kSteps};
   return std::nullopt;
 }

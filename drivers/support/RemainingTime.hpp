@@ -9,8 +9,8 @@ namespace suture {
 /// Estimates the time that the work reported by a Progress will still take: of the load path, if there is one; otherwise of the iteration
 /// that is in progress (from the rate at which its residual falls), or of the objects that are counted.
 ///
-/// There is no estimate before a tenth of the work is done in several steps, nor while a step is stuck, nor while the speed of the last half
-/// of the time differs much from the mean speed: then nothing is known about the rest. The estimate is smoothed: it counts down, and
+/// There is no estimate before a tenth of the work is done in several steps, nor while a step is stuck, nor while the speed of the last
+/// half of the time differs much from the mean speed: then nothing is known about the rest. The estimate is smoothed: it counts down, and
 /// follows the speed gradually.
 class RemainingTime {
  public:

@@ -203,6 +203,13 @@ TEUCHOS_UNIT_TEST(RemainingTime, IsUnknownForIterationsThatStagnateAndAtTheBegin
   }
 }
 
+TEUCHOS_UNIT_TEST(RemainingTime, IsUnknownOnceAllObjectsAreCounted) {
+  RemainingTime remaining;
+  for (double t = 0.0; t < 4.0; t += 0.1) remaining.after(counted(long(3 * t), 12), t);
+  TEST_ASSERT(remaining.after(counted(11, 12), 4.0).has_value());
+  TEST_ASSERT(!remaining.after(counted(12, 12), 4.1));
+}
+
 TEUCHOS_UNIT_TEST(RemainingTime, StartsAnewWithEachSolve) {
   RemainingTime remaining;
   for (double t = 0.0; t < 20.0; t += 0.1) remaining.after(iterating(long(4 * t), std::pow(1e-8, t / 20.0), 1e-8), t);
