@@ -11,6 +11,7 @@ import pty
 import shutil
 import subprocess
 import sys
+import threading
 import time
 
 problems = []
@@ -23,15 +24,35 @@ def check(holds, what):
 
 
 class Watched:
-    """A view in the background; its text is read at its end."""
+    """A view in the background, on a pipe or on a terminal."""
 
-    def __init__(self, program, folder):
-        self.begin = time.monotonic()
-        self.process = subprocess.Popen([program, "--watch", folder], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    def __init__(self, program, folder, terminal=False):
+        self.text = ""
+        self.source, sink = pty.openpty() if terminal else os.pipe()
+        environment = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
+        self.process = subprocess.Popen([program, "--watch", folder], stdout=sink, stderr=sink, env=environment)
+        os.close(sink)
+        self.reader = threading.Thread(target=self._read, daemon=True)
+        self.reader.start()
 
-    def end(self, limit=60):
-        text, _ = self.process.communicate(timeout=limit)
-        return self.process.returncode, text
+    def _read(self):
+        try:
+            while more := os.read(self.source, 10000):
+                self.text += more.decode()
+        except OSError:  # the end of a terminal
+            pass
+
+    def until(self, part, limit=60):
+        """Waits until the view shows a text."""
+        end = time.monotonic() + limit
+        while part not in self.text and time.monotonic() < end:
+            time.sleep(0.05)
+        check(part in self.text, f"the view does not show '{part}':\n{self.text}")
+
+    def end(self, limit=120):
+        self.process.wait(timeout=limit)
+        self.reader.join(timeout=10)
+        return self.process.returncode, self.text.replace("\r\n", "\n")
 
 
 def rows_in(text):
@@ -122,9 +143,10 @@ def main():
     text = header + row % (1, 1e-2) + row % (2, 1e-4)
     for length in (len(header) // 2, len(header) + 7, len(text) - 9, len(text)):
         live.write_text(text[:length])
-        time.sleep(0.5)
+        time.sleep(0.3)
+    view.until("1.0e-04")
     live.write_text(header + row % (1, 3e-1))  # another run
-    time.sleep(0.7)
+    view.until("3.0e-01")
     (folder / ".suture.lock").unlink()
     code, shown = view.end()
     check([(words[0], words[2]) for words in rows_in(shown)] == [("1", "1.0e-02"), ("2", "1.0e-04"), ("1", "3.0e-01")], f"half lines:\n{shown}")
@@ -143,19 +165,11 @@ def main():
     folder = work / "terminal"
     folder.mkdir()
     (folder / ".suture.lock").write_text(f"process {os.getpid()} on {os.uname().nodename}")
-    master, slave = pty.openpty()
-    process = subprocess.Popen([solve, "--watch", folder], stdout=slave, env={k: v for k, v in os.environ.items() if k != "NO_COLOR"})
-    os.close(slave)
-    time.sleep(2.5)
+    view = Watched(solve, folder, terminal=True)
+    view.until("no iteration yet, 2 s")
     (folder / ".suture.lock").unlink()
-    process.wait(timeout=30)
-    shown = ""
-    try:
-        while more := os.read(master, 10000):
-            shown += more.decode()
-    except OSError:  # the end of a terminal
-        pass
-    check("no iteration yet, 2 s" in shown and "ended without results" in shown, f"terminal: {shown!r}")
+    code, shown = view.end()
+    check("ended without results" in shown, f"terminal: {shown!r}")
     return 1 if problems else 0
 
 
