@@ -13,6 +13,15 @@ namespace suture {
 
 namespace {
 
+/// Texts above the report of suture_plot. No program computes with them: they are recorded in `parameters` of summary.json.
+Schema headerSchema() {
+  return Schema("Texts for the header of the report that suture_plot writes; empty: left out.")
+      .text("Project", "", "Name or number of the project, or the customer.")
+      .text("Author", "", "Person who answers for the computation.")
+      .text("Revision", "", "Revision of the design or of the computation.")
+      .text("Date", "", "Date of the report, as it is to be printed.");
+}
+
 /// \param inFile  mesh, bodies and materials are required
 Schema schemaOf(bool inFile) {
   const int least = inFile ? 1 : 0;
@@ -35,6 +44,7 @@ Schema schemaOf(bool inFile) {
   scene.list("Partition", partitionSchema());
   addSolverParameters(scene);
   scene.list("Output", outputSchema());
+  scene.list("Report", headerSchema());
   return scene;
 }
 
