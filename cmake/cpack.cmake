@@ -29,7 +29,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME suture)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "openmpi-bin, python3, python3-numpy, python3-h5py, python3-matplotlib, python3-pil")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "python3-meshio, python3-netcdf4")  # for some formats of suture_convert
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libjs-three, python3-meshio, python3-netcdf4")  # 3D reports, some formats of suture_convert
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/deb/prerm)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "suture-dev, gmsh, paraview")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "elastic bodies in contact, solved by domain decomposition

@@ -30,7 +30,7 @@ if(EXISTS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot)
   install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot ${CMAKE_SOURCE_DIR}/drivers/plot/suture_study_plot
     ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert_formats ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot_parts
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/suture FILES_MATCHING PATTERN "*.py")
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/suture FILES_MATCHING PATTERN "*.py" PATTERN "*.js" PATTERN "*.css")
   foreach(parts suture_convert_formats suture_plot_parts)
     configure_file(${CMAKE_SOURCE_DIR}/cmake/version.py.in ${CMAKE_BINARY_DIR}/drivers/${parts}/version.py @ONLY)
     install(FILES ${CMAKE_BINARY_DIR}/drivers/${parts}/version.py DESTINATION ${CMAKE_INSTALL_DATADIR}/suture/${parts})
