@@ -19,7 +19,8 @@ import matplotlib.pyplot  # noqa: F401
 from PIL import Image, ImageChops
 from harness import arguments, check, finish, forked, run, setting
 
-SECTIONS = ["scene", "mesh", "deformation", "von_mises", "principal", "contact", "reactions", "convergence", "verdict", "error", "cost", "provenance"]
+SECTIONS = ["answers", "mesh", "deformation", "von_mises", "principal", "contact", "scene", "reactions", "verdict", "error", "convergence", "cost", "provenance"]
+SOMETIMES = ["state", "view", "steps", "probes", "pieces", "path"]
 EMPTY = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 options = arguments("--solve", "--plot", "--input")
 scenes = Path(options.input)
@@ -58,13 +59,16 @@ def page_of(name, folder):
     nesting.feed(text)
     check(f"{name}: elements are nested", (nesting.wrong, nesting.open), ([], []))
     tree = ElementTree.fromstring(text.split("\n", 1)[1])
-    bare = re.sub(r"data:image/png;base64,[A-Za-z0-9+/=]*", "", text)
-    check(f"{name}: nothing outside is named", re.findall(r"https?:|//[a-z]|url\(|@import|<script|<link|<iframe|<object|javascript:", bare), [])
+    scripts = re.findall(r"<script.*?</script>", text, flags=re.S)
+    bare = re.sub(r"data:image/png;base64,[A-Za-z0-9+/=]*|<script.*?</script>", "", text, flags=re.S)
+    check(f"{name}: nothing outside is named", re.findall(r"https?:|//[a-z]|url\(|@import|<link|<iframe|<object|javascript:", bare), [])
+    check(f"{name}: browsers refuse to load anything", "default-src 'none'" in tree.find(".//meta[@http-equiv]").get("content"), True)
+    check(f"{name}: scripts only with an interactive view", bool(scripts), tree.find(".//div[@id='view3d']") is not None)
     for element in tree.iter():
         for key, value in element.attrib.items():
             if key == "src" and not value.startswith("data:image/png;base64,") or key == "href" and not value.startswith("#") or key.startswith("on"):
                 check(f"{name}: {element.tag} {key}", value[:60], "data: or #")
-    check(f"{name}: sections", [section.get("id") for section in tree.iter("section") if section.get("id") not in ("probes", "steps")], SECTIONS)
+    check(f"{name}: sections", [section.get("id") for section in tree.iter("section") if section.get("id") not in SOMETIMES], SECTIONS)
     check(f"{name}: every section has a heading and content", [s.get("id") for s in tree.iter("section") if s.find("h2") is None or len(s) < 2], [])
     linked = [a.get("href")[1:] for a in tree.iter("a")]
     check(f"{name}: links lead to sections", [key for key in linked if tree.find(f".//section[@id='{key}']") is None], [])
@@ -122,11 +126,37 @@ def same_numbers(name, tree, summary):
         check(f"{name}: force of {key}", row(tree, "reactions", key),
               [*found["force"], *found["moment"], *(found["centre"] or []), found["closed"], found["whole"]])
     for key, found in summary["contact"]["by_piece"].items():
-        check(f"{name}: piece {key}", row(tree, "contact", key), [found["active"], found["pairs"], found["max_pressure"], found["max_gap"]])
+        check(f"{name}: piece {key}", row(tree, "pieces", key), [found["active"], found["pairs"], found["max_pressure"], found["max_gap"]])
     if summary["outer"]["solver"]:
         check(f"{name}: iterations", (row(tree, "convergence", "outer iterations"), row(tree, "convergence", "total PCG iterations")),
               ([summary["outer"]["iterations"]], [summary["outer"]["pcg_total"]]))
     check(f"{name}: residual", row(tree, "convergence", "final relative residual"), [summary["outer"]["residual"]])
+
+
+def same_answers(name, tree, summary):
+    """The first page: force of every condition and contact, forces between bodies, one sentence on the error, every note of the run."""
+    found, answers = summary["reactions"], tree.find(".//section[@id='answers']")
+    largest = max(abs(part) for kind in ("conditions", "contacts") for one in found[kind].values() for part in one["force"])
+
+    def agree(cells, force):
+        return len(cells) == len(force) and all(abs(a - b) <= 2e-9 * largest for a, b in zip(cells, force))
+
+    size = summary["dimension"]
+    for kind in ("conditions", "contacts"):
+        for key, one in found[kind].items():
+            cells = (row(tree, "answers", key) or [])[:size]
+            check(f"{name}: force of {key} on the first page", agree(cells, one["force"]), True)
+    between = answers.find(".//table[@id='body_forces']")
+    if between is not None:
+        pairs = {}
+        for one in found["contacts"].values():
+            pairs.setdefault(tuple(one["bodies"]), []).append(one["force"])
+        sums = [[sum(parts) for parts in zip(*forces)] for forces in pairs.values()]
+        shown = [numbers(line)[:size] for line in between.find("tbody").iter("tr")]
+        check(f"{name}: forces between bodies", [force for force in sums if not any(agree(cells, force) for cells in shown)], [])
+    check(f"{name}: the error in a sentence", "of the energy norm" in "".join(answers.find(".//p[@id='error_sentence']").itertext()), True)
+    text = "".join(tree.itertext())
+    check(f"{name}: every note of the run", [note for note in summary["notes"] if note.split(": ", 1)[-1][1:60] not in text], [])
 
 
 def solved(name, scene, code, *more):
@@ -140,7 +170,8 @@ def said(tree, section):
 
 
 # Successful runs.
-for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "true"), 9), ("linear_square", [], 5), ("cattaneo", [], 10)):
+HEADER = [*setting("Report/Project", "Pin <7> & lug"), *setting("Report/Author", "N. N."), *setting("Report/Revision", "B")]
+for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "true"), 9), ("linear_square", [], 5), ("cattaneo", HEADER, 10)):
     folder, summary = solved(name, scenes / name / f"{name}.xml", 0, *more)
     code, text = started(options.plot, folder)
     check(f"{name}: suture_plot", (code, "report.html" in text), (0, True))
@@ -148,18 +179,66 @@ for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "
     check(f"{name}: pictures", drawn, pictures)
     check(f"{name}: good", tree.find(".//div[@id='banner']").get("class"), "verdict")
     same_numbers(name, tree, summary)
-    scene = said(tree, "scene")
     given = summary["parameters"]
-    check(f"{name}: the scene in words", [word for word in (*given["Bodies"], *given["Materials"], *given["Boundary Conditions"], *given["Contact"])
-                                          if word not in scene], [])
+    for section, keys in (("scene", ("Bodies", "Materials")), ("answers", ("Boundary Conditions", "Contact"))):
+        check(f"{name}: {section} in words", [word for key in keys for word in given[key] if word not in said(tree, section)], [])
+    check(f"{name}: laws", [law for law in (contact["Law"] for contact in given["Contact"].values()) if law not in said(tree, "answers")], [])
+    same_answers(name, tree, summary)
     check(f"{name}: provenance", [word for word in (summary["mesh_hash"], *summary["command_line"], *summary["versions"].values())
                                   if word not in said(tree, "provenance")], [])
     if "load_steps" in summary:
-        check(f"{name}: load steps", (row(tree, "steps", "load steps"), row(tree, "steps", "time at the end of the last step")),
+        check(f"{name}: load steps", (row(tree, "path", "load steps"), row(tree, "path", "time at the end of the last step")),
               ([summary["load_steps"]["count"]], [summary["load_steps"]["time"]]))
-    if more:
+    if name == "hertz_sphere":
         check(f"{name}: error estimate", row(tree, "error", "discretisation, estimated from recovered stresses, energy norm"),
               [summary["error"]["estimated_energy_norm"], summary["error"]["estimated_energy_norm_relative"]])
+
+# Pictures of large reports are compressed further, without loss.
+sys.path.insert(0, str(Path(options.plot).resolve().parent))
+from suture_plot_parts.html import embedded  # noqa: E402
+
+form, small = embedded(folder / "von_mises.png", True)
+with Image.open(io.BytesIO(base64.b64decode(small))) as image, Image.open(folder / "von_mises.png") as file:
+    check("compressed picture: every pixel", (form, image.format, ImageChops.difference(image.convert("RGB"), file.convert("RGB")).getbbox()),
+          ("webp", "WEBP", None))
+
+# The header, the factors of load steps, the coefficients of laws: in the last of these runs.
+check("header: recorded", summary["parameters"]["Report"], {"Project": "Pin <7> & lug", "Author": "N. N.", "Revision": "B", "Date": ""})
+fields = {entry.find("dt").text: entry.find("dd").text for entry in tree.find(".//dl[@id='fields']")}
+check("header: fields", (fields.get("Project"), fields.get("Author"), fields.get("Revision"), "Date" in fields), ("Pin <7> & lug", "N. N.", "B", False))
+answers = said(tree, "answers")
+check("header: factors and coefficients", [words for words in ("min(t, 1)", "{0, 1, 0, -1, 0, 1}", "Coulomb: coefficient 0.3", "t = 1, 2, 3, 4, 5, 6")
+                                           if words not in answers], [])
+code, text = run(options.solve, 1, scenes / "cattaneo" / "cattaneo.xml", "--output", options.work / "misspelt", *setting("Report/Autor", "N. N."))
+check("header: an unknown field", (code, "Report/Autor" in text, "Did you mean 'Author'?" in text), (3, True, True))
+
+# Notes that limit the answers are at the top, those on the solver in the appendix.
+noted = options.work / "noted"
+shutil.copytree(folder, noted)
+summary = json.loads((noted / "summary.json").read_text())
+summary["notes"] = ["warning: contact 'touch': pressures alternate", "the largest pressure is at (0, 0), a corner", "Schur complements, chosen automatically: 1 explicit, 2 implicit"]
+summary["parameters"]["Output"]["Fields"] = False  # saves the time for pictures
+(noted / "summary.json").write_text(json.dumps(summary))
+check("notes: suture_plot", plot(noted)[0], 0)
+tree, _ = page_of("notes", noted)
+check("notes: warnings", [entry.text for entry in tree.find(".//header/div[@id='warnings']").iter("li")],
+      ["Contact 'touch': pressures alternate.", "The largest pressure is at (0, 0), a corner."])
+check("notes: on the solver", [entry.text for entry in tree.find(".//section[@id='convergence']").iter("li")],
+      ["Schur complements, chosen automatically: 1 explicit, 2 implicit."])
+
+# Safety factors only if the run has them; one below 1 is marked.
+check("no safety factors", tree.find(".//table[@id='safety_factors']"), None)
+summary["safety"] = {"stresses": "recovered at nodes", "least": 0.75, "body": "lower", "bodies": {
+    "lower": {"factor": 0.75, "material": "steel", "criterion": "Von Mises", "place": [1.5, -2.0], "principal_stresses": [3.0, 1.0, 0.0], "unit": "MPa"},
+    "upper": {"factor": 2.5, "material": "steel", "criterion": "Von Mises", "place": [0.5, 2.0], "principal_stresses": [1.0, 0.5, 0.0], "unit": "MPa"},
+    "pad": {"factor": None, "material": "rubber", "criterion": None, "place": None, "principal_stresses": None, "unit": "MPa"}}}
+(noted / "summary.json").write_text(json.dumps(summary))
+check("safety: suture_plot", plot(noted)[0], 0)
+tree, _ = page_of("safety", noted)
+lines = tree.find(".//section[@id='answers']//table[@id='safety_factors']").find("tbody").findall("tr")
+check("safety: factors and places", [numbers(line) for line in lines], [[0.75, 1.5, -2.0], [2.5, 0.5, 2.0], []])
+check("safety: exceeded", [line.find(".//span").get("class") for line in lines], ["fails", "holds", "soft"])
+check("safety: the answer is not valid there", "not valid there" in "".join(lines[0].itertext()), True)
 
 # A run that did not converge, and one whose solution is not unique.
 for name, scene, more in (("not_converged", scenes / "pin" / "pin.xml", setting("Outer Solver/Maximum Iterations", "1")),
@@ -169,7 +248,17 @@ for name, scene, more in (("not_converged", scenes / "pin" / "pin.xml", setting(
     tree, drawn = page_of(name, folder)
     banner = tree.find(".//div[@id='banner']")
     check(f"{name}: the failure is reported", (banner.get("class"), summary["failure"][1:] in "".join(banner.itertext())), ("verdict bad", True))
+    check(f"{name}: the verdict comes before all else", [child.get("id") for child in tree.find(".//header") if child.get("id")][:2], ["fields", "banner"])
     same_numbers(name, tree, summary)
+    # What the user gave is stated; a result is not, and numbers and pictures of the state are marked as none.
+    given = summary["parameters"]
+    answers = said(tree, "answers")
+    check(f"{name}: loads, supports and contacts", [word for word in (*given["Boundary Conditions"], *given["Contact"]) if word not in answers], [])
+    check(f"{name}: no answers", (numbers(tree.find(".//section[@id='answers']")), tree.find(".//p[@id='error_sentence']")), ([], None))
+    for section in tree.iter("section"):
+        results = section.get("id") in ("state", "view", "deformation", "von_mises", "principal", "contact")
+        check(f"{name}: {section.get('id')} is marked", "invalid" in (section.get("class") or ""), results)
+    check(f"{name}: extremes are in the marked section", tree.find(".//section[@id='state']//div[@id='extreme_von_mises']") is not None, True)
 
 # Without fields: a report without their pictures; fields of an earlier run in the same folder are not used.
 folder, summary = solved("linear_square", scenes / "linear_square" / "linear_square.xml", 0, *setting("Output/Fields", "false"))
@@ -233,7 +322,6 @@ plots = [{"name": name, "x": x, "y": ["pcg"], "by": ["space"], "logarithmic_x": 
 planted = {"title": "Failures", "columns": ["subdomains", "pcg"], "rows": rows, "plots": plots,
            "sweeps": [{"name": "size", "labels": ["small", "large"]}, {"name": "space", "labels": ["None", "Kernels"]}]}
 (study / "study.json").write_text(json.dumps(planted))
-sys.path.insert(0, str(Path(options.plot).resolve().parent))
 from suture_plot_parts.study import Table, study_figure  # noqa: E402
 
 for plotted, crosses, words in ((plots[0], 2, "no solution: 2 of 4 runs"), (plots[1], 1, "no solution: 2 of 4 runs\n(1 of unknown subdomains)")):

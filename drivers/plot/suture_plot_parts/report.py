@@ -1,90 +1,103 @@
-"""report.html: everything about a run on one page."""
+"""report.html of a run: answers first, then pictures, then an appendix on model and solution."""
 import os
+import re
 
-from .html import esc, figure, number, page
+from .html import esc, figure, page
+from .report_answers import body_forces, contact_table, key_figures, loads_and_supports, safety
+from .report_header import banner, error_sentence, head, sentence, split_notes, warnings
 from .report_run import convergence, cost, error, load_steps, provenance, verdict
-from .report_scene import contact_pieces, reactions, scene_in_words
-from .stresses import taken_at
-from .units import scaled
+from .report_scene import contact_pieces, force_basis, reactions, scene_in_words
+from .view.page import interactive_view
+from .words import conditions, contacts
 
-EXIT = {0: "done", 2: "command line", 3: "input", 4: "numerical", 5: "environment", 70: "internal", 75: "stopped on request"}
-EXTREMES = (("von_mises", "largest von Mises stress"), ("tension", "largest tension"), ("compression", "largest compression"),
-            ("displacement", "largest displacement"), ("pressure", "largest contact pressure"))
+WITHOUT = "Not plotted: this run wrote no fields."
+# Pictures on paper, the most important first, two per page; all pictures are on the screen.
+ON_PAPER = ("scene", "deformation", "von_mises", "safety", "von_mises_zoom", "von_mises_cut", "contact", "steps", "principal_stress")
+MOST_ON_PAPER = 6
+LARGE = 6_500_000  # bytes of pictures above which they are compressed further, without loss, by a format that older browsers lack
+LONG = 22  # conditions and contacts beyond which the answers fill a second page, and paper has two pictures less
 
 
-def banner(run):
-    summary = run.summary
-    code = summary["exit_code"]
-    words = [f"Exit code {number(code)} ({EXIT.get(code, 'unknown')})."]
-    if summary.get("failure"):
-        words.append(esc(sentence(summary["failure"])))
+class Pictures:
+    """The pictures of a run as markup, by section of the report. `most`: number of pictures on paper"""
+
+    def __init__(self, run, pictures, most):
+        self.run, self.pictures = run, pictures
+        names = {picture.name for picture in pictures}
+        self.on_paper = [name for name in ON_PAPER if name in names][:most]
+        self.compress = sum(picture.path.stat().st_size for picture in pictures) > LARGE
+
+    def of(self, section):
+        return [picture for picture in self.pictures if picture.section == section]
+
+    def on_screen_only(self, section):
+        """The class of a section that paper does not have, since it would be a heading without a picture."""
+        own = self.of(section)
+        return "screen" if own and not any(picture.name in self.on_paper for picture in own) else ""
+
+    def drawn(self, section, otherwise="", names=None):
+        """`names`: only these pictures of the section"""
+        own = [figure(picture, self.run.title, "" if picture.name in self.on_paper else "screen", self.compress)
+               for picture in self.of(section) if names is None or picture.name in names]
+        return "".join(own) or f'<p class="soft">{esc(otherwise)}</p>\n'
+
+
+def answers(run):
+    """The first page. The loads, supports and contacts of a failed run are stated, its numbers are not."""
     if not run.good:
-        words.append("All plots and numbers below refer to this state of the run.")
-    if run.step is not None:
-        words.append(f"Plots of fields show {esc(run.words_of_step)}; the numbers are from the last step.")
-    notes = "".join(f"<br/>Note: {esc(note if note.endswith('.') else note + '.')}" for note in summary.get("notes", []))
-    head = sentence(run.verdict).rstrip(".")
-    return f'<div class="verdict{"" if run.good else " bad"}" id="banner"><strong>{esc(head)}</strong>{" ".join(words)}{notes}</div>\n'
+        return loads_and_supports(run) + contact_table(run)
+    basis = force_basis(run)
+    note = f'<p class="soft">Forces: {esc(basis)}.</p>\n' if basis else ""
+    return key_figures(run) + error_sentence(run) + safety(run) + loads_and_supports(run) + contact_table(run) + body_forces(run) + note
 
 
-def readable(value, unit):
-    """The value in the units of the scene, and in a multiple of the unit if that is more readable."""
-    factor, name = scaled(unit, abs(value))
-    return number(value, unit) + ("" if name == unit else f' <span class="soft">({factor * value:.4g} {esc(name)})</span>'.replace("(-", "(\u2212"))
+def results(run, drawn):
+    """[(id, heading, markup, class)]: the pictures of the solution."""
+    no_contact = "This scene has no contact." if not run.summary["contact"].get("pairs") else WITHOUT
+    found = [("deformation", "Deformed shape", WITHOUT), ("von_mises", "Von Mises stress", WITHOUT),
+             ("principal", "Principal stresses", WITHOUT), ("contact", "Contact", no_contact), ("steps", "Load steps", None), ("probes", "Probes", None)]
+    return [(key, heading, drawn.drawn(key, otherwise), " ".join(filter(None, [drawn.on_screen_only(key), "" if run.good else "invalid"])))
+            for key, heading, otherwise in found if otherwise is not None or drawn.of(key)]
 
 
-def sentence(text):
-    return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
+def appendix(run, drawn):
+    notes = split_notes(run)[1]
+    remarks = ("<h3>Notes of the solver</h3><ul>" + "".join(f"<li>{esc(sentence(note))}</li>" for note in notes) + "</ul>\n") if notes else ""
+    pieces = contact_pieces(run)
+    return [("scene", "Appendix: model and mesh", scene_in_words(run) + drawn.drawn("mesh", WITHOUT, {"mesh"}), "", "part"),
+            ("reactions", "Forces and moments", reactions(run)),
+            *([("pieces", "Contact in pieces", pieces)] if pieces else []),
+            *([("path", "Load steps of the solver", load_steps(run))] if run.summary.get("load_steps") else []),
+            ("verdict", "Independent verification", verdict(run)),
+            ("error", "Error", error(run)),
+            ("convergence", "Convergence of the solver", convergence(run) + remarks + drawn.drawn("convergence", "No outer iterations in this run.")),
+            ("cost", "Cost", cost(run)),
+            ("provenance", "Provenance", provenance(run))]
 
 
-def key_figures(run):
-    cards = []
-    for name, words in EXTREMES:
-        found = run.summary.get("extremes", {}).get(name)
-        if not found or found.get("value") is None:
-            continue
-        if name == "tension" and found["value"] < 0:
-            words = "largest principal stress: no tension"
-        if name == "compression" and found["value"] > 0:
-            words = "smallest principal stress: no compression"
-        where = f"{found['contact']}" if found.get("contact") else found.get("body", "")
-        at = f" at ({', '.join(number(x) for x in found['place'])})" if found.get("place") else ""
-        cards.append(f'<div id="extreme_{name}"><div class="name">{esc(words)}</div><div class="value">{readable(found["value"], found.get("unit", ""))}</div>'
-                     f'<div class="where">{esc(where)}{at}</div></div>')
-    if not cards:
-        return ""
-    return f'<div class="figures">{"".join(cards)}</div>\n<p class="soft">Stresses {esc(taken_at(run))}; positions on the undeformed bodies.</p>\n'
+def enlargement_of(pictures):
+    """The enlargement of displacements in the pictures, as the caption of the deformed shape states it."""
+    captions = [picture.caption for picture in pictures if picture.name == "deformation"]
+    found = re.search(r"(?:enlarged|reduced to) ([0-9][0-9.e+-]*)", captions[0]) if captions else None
+    return float(found.group(1).rstrip(".")) if found else 1.0
+
+
+def sections_of(run, pictures):
+    long = len(conditions(run)) + 2 * len(contacts(run)) > LONG
+    drawn = Pictures(run, pictures, MOST_ON_PAPER - 2 * long)
+    first = [("answers", "Answers" if run.good else "Loads, supports and contacts", answers(run)),
+             ("mesh", "Parts, loads, supports and contacts" if run.good else "Parts", drawn.drawn("mesh", WITHOUT, {"scene"}))]
+    state = [] if run.good else [("state", "State in which the run ended: not a result", key_figures(run) or "<p>Nothing is known.</p>\n", "invalid")]
+    others = [*first, *state], [*results(run, drawn), *appendix(run, drawn)]
+    view = interactive_view(run, sum(len(section[2]) for part in others for section in part), enlargement_of(pictures))
+    shown = [("view", "Interactive view", view, "screen" if run.good else "screen invalid")] if view else []
+    return [*others[0], *shown, *others[1]]
 
 
 def report(run, pictures, path):
     """Writes the page under a temporary name and renames it. \\return path"""
-    def drawn(section, otherwise):
-        own = [figure(picture, run.title) for picture in pictures if picture.section == section]
-        return "".join(own) or f'<p class="soft">{esc(otherwise)}</p>\n'
-
-    without = "Not plotted: this run wrote no fields."
-    contact = run.summary["contact"]
-    sections = [
-        ("scene", "Scene", scene_in_words(run)),
-        ("mesh", "Mesh, loads, supports and contacts", drawn("mesh", without)),
-        ("deformation", "Deformed shape", drawn("deformation", without)),
-        ("von_mises", "Von Mises stress", drawn("von_mises", without)),
-        ("principal", "Principal stresses", drawn("principal", without)),
-        ("contact", "Contact", contact_pieces(run) + drawn("contact", "This scene has no contact." if not contact.get("pairs") else without)),
-        ("reactions", "Forces of loads, supports and contacts", reactions(run)),
-        ("convergence", "Convergence", convergence(run) + drawn("convergence", "No outer iterations in this run.")),
-        ("verdict", "Verdict", verdict(run)),
-        ("error", "Error", error(run)),
-        ("cost", "Cost", cost(run)),
-        ("provenance", "Provenance", provenance(run))]
-    if any(picture.section == "probes" for picture in pictures):
-        sections.insert(7, ("probes", "Probes", drawn("probes", "")))
-    if run.steps:
-        sections.insert(7, ("steps", "Load steps", load_steps(run) + drawn("steps", "")))
-    header = (f"<h1>{esc(run.title)}</h1>\n<p class=\"soft\">{esc(run.model)}, {number(run.summary['elements'])} elements, "
-              f"{number(run.summary.get('dofs'))} unknowns, units {esc(run.summary.get('units', ''))}. Suture {esc(run.summary['versions'].get('suture', ''))}, "
-              f"{run.written:%Y-%m-%d %H:%M}.</p>\n{banner(run)}{key_figures(run)}")
+    header = head(run) + banner(run) + warnings(run)
     partial = path.with_name(path.name + ".part")
-    partial.write_text(page(run.title, header, sections), encoding="utf-8")
+    partial.write_text(page(run.title, header, sections_of(run, pictures)), encoding="utf-8")
     os.replace(partial, path)
     return path

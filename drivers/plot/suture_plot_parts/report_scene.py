@@ -1,7 +1,7 @@
 """Sections of the report on the scene and its forces."""
 from .html import esc, number, table, vector
 from .units import vector as given_vector
-from .words import MODELS, cells_in_words, conditions, contacts, material_words
+from .words import MODELS, cells_in_words, contacts, material_words
 
 
 def names(values):
@@ -23,8 +23,9 @@ def scene_in_words(run):
     functions = run.parameter("Functions", default={})
     if functions:
         rows.append(("Functions", esc(", ".join(f"{name} = {value}" for name, value in functions.items()))))
-    return (table(("", ""), [(f"<strong>{name}</strong>", cell) for name, cell in rows], long=(1,)) + bodies(run) + materials(run) +
-            conditions_table(run) + contacts_table(run))
+    if contacts(run):
+        rows.append(("Coupling of contacts", esc(coupling(run))))
+    return table(("", ""), [(f"<strong>{name}</strong>", cell) for name, cell in rows], long=(1,)) + bodies(run) + materials(run)
 
 
 def bodies(run):
@@ -46,19 +47,17 @@ def materials(run):
     return "<h3>Materials</h3>\n" + table(("material", "law", "values"), rows, long=(0, 2))
 
 
-def conditions_table(run):
-    rows = [(esc(c.name), esc(c.type), esc(c.amount()), esc(c.place())) for c in conditions(run)]
-    if not rows:
-        return "<h3>Loads and supports</h3>\n<p>None.</p>\n"
-    return "<h3>Loads and supports</h3>\n" + table(("name", "type", "value", "where"), rows, long=(0, 2, 3))
+def coupling(run):
+    """How the sides of contacts are coupled: each way with its contacts."""
+    ways = {}
+    for contact in contacts(run):
+        ways.setdefault(contact.coupling(), []).append(contact.name)
+    return "; ".join(f"{way}: {', '.join(own)}" for way, own in ways.items())
 
 
-def contacts_table(run):
-    given = contacts(run)
-    if not given:
-        return "<h3>Contacts</h3>\n<p>None.</p>\n"
-    rows = [(esc(c.name), names(c.side_a), esc(c.partner()), esc(c.given.get("Law", "")), esc(c.initial_gap()), esc(c.coupling())) for c in given]
-    return "<h3>Contacts</h3>\n" + table(("contact", "side A", "side B or obstacle", "law", "initial gap", "coupling"), rows, long=(0, 1, 2))
+def force_basis(run):
+    """What the forces of a 2D run refer to."""
+    return {"Axisymmetric": "forces of the whole circle; the radial component is a sum of magnitudes", "Solid": ""}.get(run.model, "per unit thickness")
 
 
 def reactions(run):
@@ -67,7 +66,7 @@ def reactions(run):
     if not found:
         return '<p class="soft">Unknown: the run ended earlier.</p>\n'
     length, force, stress = run.units
-    thickness = {"Axisymmetric": ", forces of the whole circle; the radial component is a sum of magnitudes", "Solid": ""}.get(run.model, ", per unit thickness")
+    thickness = f", {force_basis(run)}" if force_basis(run) else ""
     rows = [(esc(name), esc(c.get("kind", "")), vector(c.get("force")), vector(c.get("moment"))) for name, c in found.get("conditions", {}).items()]
     total = found.get("sum", {})
     rows.append(("<strong>sum</strong>", "", vector(total.get("force")), vector(total.get("moment"))))

@@ -71,7 +71,8 @@ class Condition:
         if self.type == "Random Load":
             return f"amplitude {vector(self.given.get('Amplitude', 0))} {self.run.force_unit}"
         if self.expressions:
-            return ", ".join((f"{axis}: " if axis else "") + text for axis, text in self.expressions.items()) + unit
+            acting = {axis: text for axis, text in self.expressions.items() if text.strip() != "0"} or self.expressions
+            return ", ".join((f"{axis}: " if axis else "") + text for axis, text in acting.items()) + unit
         if self.value is None:
             return ""
         if self.components != "All":
@@ -88,6 +89,14 @@ class Condition:
         if self.groups:
             return ", ".join(families(self.groups, CROWD + 1) if short and len(self.groups) > 6 else self.groups)
         return f"body {self.body}" if self.body else "all bodies"
+
+    @property
+    def factor(self):
+        """The factor over load steps as given: an expression in t, or values at the times; None without load steps."""
+        steps = self.run.parameter("Load Steps", default={})
+        if not steps.get("Times"):
+            return None
+        return str(steps.get("Factors", {}).get(self.name, "1"))
 
     def sentence(self, short=False):
         return f"{self.name}: {self.type}, {self.amount()}, {'on ' if self.groups else ''}{self.place(short)}"
@@ -106,17 +115,31 @@ class Contact:
         self.obstacle = given.get("Obstacle", "None")
 
     def partner(self):
+        """Side B, or the obstacle."""
         if self.obstacle == "None":
             return ", ".join(self.side_b)
         of = self.given.get(self.obstacle, {})
         unit = self.run.length_unit
-        if self.obstacle == "Circle":
-            return f"rigid {'hollow ' if of.get('Hollow') else ''}circle about {vector(of.get('Centre', []))} {unit}, radius {vector(of.get('Radius', 0))} {unit}"
-        if self.obstacle == "Line":
-            return f"rigid half-plane through {vector(of.get('Point', []))} {unit}, normal {vector(of.get('Normal', []))}"
+        hollow = "hollow " if of.get("Hollow") else ""
+        if self.obstacle in ("Circle", "Ball"):
+            return f"rigid {hollow}{self.obstacle.lower()} about {vector(of.get('Centre', []))} {unit}, radius {vector(of.get('Radius', 0))} {unit}"
+        if self.obstacle == "Cylinder":
+            return (f"rigid {hollow}cylinder about the axis through {vector(of.get('Point', []))} {unit} along {vector(of.get('Axis', []))}, "
+                    f"radius {vector(of.get('Radius', 0))} {unit}")
+        if self.obstacle in ("Line", "Plane"):
+            kind = "half-plane" if self.obstacle == "Line" else "half-space"
+            return f"rigid {kind} through {vector(of.get('Point', []))} {unit}, normal {vector(of.get('Normal', []))}"
         if self.obstacle == "Height":
-            return f"rigid ground {'above' if of.get('Body Below') else 'below'} y = {of.get('Expression', '')}"
+            return f"rigid ground {'above' if of.get('Body Below') else 'below'} {'yz'[self.run.dimension - 2]} = {of.get('Expression', '')}"
         return f"rigid {self.obstacle.lower()}"
+
+    def law(self):
+        """The law with its coefficients."""
+        law = str(self.given.get("Law", "Frictionless"))
+        units = {"Cohesion": self.run.stress_unit, "Bound": self.run.stress_unit}
+        said = [f"{name.lower()} {vector(value)}" + (f" {units[name]}" if units.get(name) else "") if value is not True else name.lower()
+                for name, value in self.given.get(law, {}).items() if not isinstance(value, dict) and value not in (False, 0, "0", "")]
+        return law + (f": {', '.join(said)}" if said else "")
 
     def initial_gap(self):
         return self.given.get("Initial Gap") or "as drawn"

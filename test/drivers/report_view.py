@@ -1,0 +1,414 @@
+#!/usr/bin/python3
+"""The interactive view in the report of a 3D run: its data against the fields of the run, its size, its absence; in Chromium, if that is installed,
+what it draws.
+
+    report_view.py --plot suture_plot --work DIR --mpirun "..."
+"""
+import base64
+import html
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+import matplotlib
+import numpy as np
+from harness import SLOWER, arguments, check, finish, forked
+
+options = arguments("--plot")
+sys.path.insert(0, str(Path(options.plot).resolve().parent))
+
+import space_scenes  # noqa: E402
+from suture_plot_parts.run import RunFolder  # noqa: E402
+from suture_plot_parts.space.cells import CELLS, FACES  # noqa: E402
+from suture_plot_parts.view.data import view_data  # noqa: E402
+from suture_plot_parts.view.library import library  # noqa: E402
+
+MISSING = 65535
+
+
+def near(expected, slack):
+    return lambda found: found is not None and np.shape(found) == np.shape(expected) and bool(np.all(np.abs(np.asarray(found) - expected) <= slack))
+
+
+def numbers(of):
+    """Whole numbers as the page reads them."""
+    return np.frombuffer(base64.b64decode(of["data"]), "<u4" if of["bits"] == 32 else "<u2").astype(int)
+
+
+def values(of, text, columns=None):
+    codes = np.frombuffer(base64.b64decode(text), "<u2").astype(float)
+    codes = codes.reshape(-1, columns) if columns else codes
+    return np.where(codes == MISSING, np.nan, np.array(of["low"]) + np.array(of["step"]) * codes)
+
+
+def data_of(folder):
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    found = re.search(r'<script type="application/json" id="view3d_data">(.*?)</script>', text, re.S)
+    return json.loads(found.group(1)) if found else None
+
+
+def same(a, b):
+    """For each row of `a`, the index of the equal row of `b`; -1 if there is none."""
+    distance = np.abs(a[:, None] - b[None]).max(axis=2)
+    return np.where(distance.min(axis=1) < 1e-3, distance.argmin(axis=1), -1)
+
+
+def normals(points, triangles):
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    return 0.5 * np.cross(b - a, c - a)
+
+
+def geometry(name, data, volumes):
+    """Triangles of each body enclose its volume, seen from outside; cells fill it."""
+    points, triangles = values(data["points"], data["points"]["data"], 3), numbers(data["triangles"]).reshape(-1, 3)
+    for body, volume in enumerate(volumes):
+        own = triangles[data["starts"][body]:data["starts"][body + 1]]
+        enclosed = (normals(points, own) * points[own].mean(axis=1)).sum() / 3
+        check(f"{name}: volume within the surface of {data['bodies'][body]}", enclosed, near(volume, 2e-3 * volume))
+    return points, triangles
+
+
+def fields(name, data, folder, frames=1):
+    """All values equal those of the files at the same places, to the 16 bits of the page."""
+    points = values(data["points"], data["points"]["data"], 3)
+    check(f"{name}: frames", (len(data["frames"]), len(data["displacement"]["frames"])), (frames, frames))
+    for k in range(frames):
+        with h5py.File(folder / f"fields_{k:04d}.vtkhdf") as file:
+            root = file["VTKHDF"]
+            place, own = root["Points"][:], {key: values_[:] for key, values_ in root["PointData"].items()}
+        found = same(points, place)
+        check(f"{name}: vertices are nodes", int((found < 0).sum()), lambda count: count < len(points) // 2)  # the rest are centres of faces
+        there = found >= 0
+        # Where bodies touch, two nodes share a place: the values of one of them.
+        twins = [np.flatnonzero(np.abs(place - place[i]).max(axis=1) < 1e-9) for i in found[there]]
+        for key, columns, of, texts in (("Displacement", 3, data["displacement"], data["displacement"]["frames"]),
+                                        *((source, None, field, field["frames"]) for source, label in
+                                          (("NodalVonMises", "von_mises"),) for field in data["fields"] if field["name"] == label)):
+            shown, slack = values(of, texts[k], columns)[there], 0.51 * np.max(of["step"])
+            worst = max(np.min(np.abs(own[key][twin] - row).reshape(len(twin), -1).max(axis=1)) for row, twin in zip(shown, twins))
+            check(f"{name}, frame {k + 1}: {key}", worst, lambda worst, slack=slack: worst <= slack)
+        for field in data["fields"]:
+            if field["name"] in ("tension", "compression"):
+                column = {"tension": 0, "compression": 2}[field["name"]]
+                shown = values(field, field["frames"][k])[there]
+                worst = max(np.min(np.abs(own["NodalPrincipalStress"][twin, column] - value)) for value, twin in zip(shown, twins))
+                check(f"{name}, frame {k + 1}: {field['name']}", worst, lambda worst, step=field["step"]: worst <= 0.51 * np.max(step))
+
+
+def blocks():
+    """Two blocks on two ranks: places, values and ranges; contact surface."""
+    folder = options.work / "blocks"
+    space_scenes.blocks(folder, CELLS[12].faces, n=4)
+    check("blocks: suture_plot", forked(options.plot, folder)[0], 0)
+    data = data_of(folder)
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    check("blocks: enlarged as in the pictures", f"Displacements are enlarged {data['enlargement']:g} times" in text, True)
+    points, _ = geometry("blocks", data, [500.0, 500.0])
+    check("blocks: box", (points.min(axis=0).tolist(), points.max(axis=0).tolist()), near(([0, 0, 0], [10, 10, 10]), 1e-9))
+    fields("blocks", data, folder)
+    with h5py.File(folder / "fields_0000.vtkhdf") as file:
+        own = file["VTKHDF/PointData"]
+        for name, found in (("displacement", np.linalg.norm(own["Displacement"][:], axis=1)), ("von_mises", own["NodalVonMises"][:]),
+                            ("tension", own["NodalPrincipalStress"][:, 0]), ("compression", own["NodalPrincipalStress"][:, 2])):
+            field = next(field for field in data["fields"] if field["name"] == name)
+            check(f"blocks: range of {name}", (field["least"], field["largest"]), near((found.min(), found.max()), 1e-12 * np.abs(found).max()))
+    check("blocks: the inside is there", (data["inside"], data["reduced"], sum(len(numbers(block["owners"])) for block in data["cells"])),
+          (True, False, 2 * 4 * 4 * 2))
+    contacts = data["contacts"]
+    places, triangles = values(contacts["points"], contacts["points"]["data"], 3), numbers(contacts["triangles"]).reshape(-1, 3)
+    check("blocks: area of the contact", np.linalg.norm(normals(places, triangles), axis=1).sum(), near(100.0, 1e-2))
+    run = RunFolder(folder)
+    pressure = next(field for field in contacts["fields"] if field["name"] == "pressure")
+    check("blocks: contact pressure", values(pressure, pressure["frames"][0])[:len(run.contact.points)],
+          near(run.contact.point_data["ContactPressure"], 0.51 * np.max(pressure["step"])))
+    return folder
+
+
+def steps(source):
+    """Load steps: one frame each, at most as many as have room, always the last."""
+    folder = options.work / "steps"
+    shutil.copytree(source, folder)
+    count = 6
+    for k in range(1, count):
+        for kind in ("fields", "contact"):
+            shutil.copy(source / f"{kind}_0000.vtkhdf", folder / f"{kind}_{k:04d}.vtkhdf")
+        with h5py.File(folder / f"fields_{k:04d}.vtkhdf", "a") as file:
+            for name in ("Displacement", "NodalVonMises", "NodalPrincipalStress"):
+                file[f"VTKHDF/PointData/{name}"][...] *= 1 + k
+    columns = "step,time,length,active,sticking,slipping,external_work,stored_energy,dissipated_work"
+    rows = "\n".join(f"{k + 1},{0.5 * (k + 1)},0.5,1,0,0,1,1,0" for k in range(count))
+    (folder / "steps.csv").write_text(f"{columns}\n{rows}\n")
+    summary = json.loads((folder / "summary.json").read_text())
+    summary["load_steps"] = {"count": count, "time": 0.5 * count}
+    (folder / "summary.json").write_text(json.dumps(summary))
+    check("steps: suture_plot", forked(options.plot, folder)[0], 0)
+    data = data_of(folder)
+    fields("steps", data, folder, count)
+    check("steps: names", (data["frames"][0], data["frames"][-1], data["first"]), ("load step 1 of 6, t = 0.5", "load step 6 of 6, t = 3", count - 1))
+    run = RunFolder(folder)
+    whole = len(json.dumps(view_data(run, 10**7)))
+    less = view_data(run, whole // 2)
+    check("steps: less room, fewer frames or no inside", (len(json.dumps(less)) < 0.6 * whole, less["frames"][-1]), (True, data["frames"][-1]))
+    return folder
+
+
+def curved():
+    """Second-order cells, and a surface with less room: coarser, of the same shape, with the largest displacement."""
+    folder = options.work / "ball"
+    space_scenes.ball_on_block(folder, CELLS[24].faces, FACES[6].triangles, n=6)
+    check("ball: suture_plot", forked(options.plot, folder)[0], 0)
+    data = data_of(folder)
+    volumes = [4 / 3 * np.pi * 8**3, 24 * 20 * 8]
+    points, triangles = values(data["points"], data["points"]["data"], 3), numbers(data["triangles"]).reshape(-1, 3)
+    for body, volume in enumerate(volumes):
+        own = triangles[data["starts"][body]:data["starts"][body + 1]]
+        check(f"ball: volume of body {body}", (normals(points, own) * points[own].mean(axis=1)).sum() / 3, near(volume, 0.03 * volume))
+    fields("ball", data, folder)
+    run = RunFolder(folder)
+    import suture_plot_parts.view.data as view
+    plans, view.PLANS = view.PLANS, [(False, 1, 1500)]
+    coarse = view_data(run, 10**7)
+    view.PLANS = plans
+    found = numbers(coarse["triangles"]).reshape(-1, 3)
+    check("ball, coarser: triangles", (coarse["reduced"], 300 < len(found) <= 1500 < len(triangles)), (True, True))
+    at = values(coarse["points"], coarse["points"]["data"], 3)
+    own = found[:coarse["starts"][1]]
+    check("ball, coarser: volume", (normals(at, own) * at[own].mean(axis=1)).sum() / 3, near(volumes[0], 0.15 * volumes[0]))
+    check("ball, coarser: largest displacement", coarse["fields"][0]["largest"], near(data["fields"][0]["largest"], 1e-12))
+    check("ball: no room", view_data(run, 1000), None)
+
+
+def safety(source):
+    """Safety factors of nodes become a field; NaN, without strength, stays without value."""
+    folder = options.work / "safety"
+    shutil.copytree(source, folder)
+    with h5py.File(folder / "fields_0000.vtkhdf", "a") as file:
+        points = file["VTKHDF/Points"][:]
+        factor = np.where(points[:, 2] > 7.6, np.nan, 1 + points[:, 0])
+        file["VTKHDF/PointData/NodalSafetyFactor"] = factor
+    found = view_data(RunFolder(folder), 10**7)
+    field = next(field for field in found["fields"] if field["name"] == "safety")
+    at, shown = values(found["points"], found["points"]["data"], 3), values(field, field["frames"][0])
+    low = at[:, 2] < 7.4
+    check("safety: values", shown[low], near(1 + at[low, 0], 1e-3))
+    check("safety: without strength", bool(np.isnan(shown[at[:, 2] > 7.7]).all()), True)
+    check("safety: range", (field["least"], field["largest"], field["reversed"]), (1.0, 11.0, True))
+
+
+def without_library(source):
+    """Without three.js the report has still pictures and says how to get it."""
+    (options.work / "no_library").mkdir()
+    os.environ["SUTURE_THREE"] = str(options.work / "no_library")
+    out = options.work / "still"
+    check("no library: suture_plot", forked(options.plot, source, "--output", out)[0], 0)
+    del os.environ["SUTURE_THREE"]
+    text = (out / "report.html").read_text(encoding="utf-8")
+    check("no library: a sentence, and pictures", ("apt-get install libjs-three" in text, "<script" in text, text.count("<img ") > 5), (True, False, True))
+
+
+def size_and_licence(folder):
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    check("size of the report", len(text.encode()), lambda size: size <= 10_000_000)
+    check("the licence of the library", text.count("Permission is hereby granted, free of charge") >= 1, True)
+
+
+def browser():
+    return next((path for path in map(shutil.which, ("chromium", "chromium-browser", "google-chrome")) if path), None)
+
+
+CHROMIUM = ("--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars",
+            "--window-size=1100,900", "--virtual-time-budget=20000")
+
+
+def started(page, *more):
+    """Headless Chromium on a file."""
+    return subprocess.run([browser(), *CHROMIUM, f"--user-data-dir={options.work / 'browser'}", *more, page.resolve().as_uri()], capture_output=True,
+                          text=True, timeout=200 * SLOWER)
+
+
+def on_paper(folder):
+    started(folder / "report.html", "--no-pdf-header-footer", f"--print-to-pdf={folder / 'report.pdf'}")
+    pages = re.findall(rb"/Type\s*/Page\b", (folder / "report.pdf").read_bytes())
+    check("browser: printed pages", len(pages), lambda count: 3 <= count <= 6)
+
+
+def driven(folder, script):
+    """Runs a script in the page in headless Chromium, opened as a file. `say(key, value)` returns a value."""
+    page = folder / "driven.html"
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    page.write_text(text.replace("</body>", '<pre id="driven"></pre><script>//<![CDATA[\n(() => { const found = {}, say = (key, value) => { found[key] = value; };\n'
+                                 "try { const view = window.sutureView;\n" + script + "\n} catch (problem) { say('problem', String(problem.stack)); }\n"
+                                 "document.getElementById('driven').textContent = JSON.stringify(found); })();\n//]]></script></body>"), encoding="utf-8")
+    done = started(page, "--dump-dom")
+    found = re.search(r'<pre id="driven">(.*?)</pre>', done.stdout, re.S)
+    check("Chromium ran the page", bool(found and found.group(1)), True)
+    return json.loads(html.unescape(found.group(1))) if found and found.group(1) else {}
+
+
+SCRIPT = """
+const event = (name, value, kind) => {
+  const element = view.element(name);
+  if (typeof value === 'boolean') element.checked = value; else element.value = value;
+  element.dispatchEvent(new Event(kind));
+};
+const pixels = () => {
+  view.draw();
+  const gl = view.renderer.getContext(), size = [gl.drawingBufferWidth, gl.drawingBufferHeight], all = new Uint8Array(4 * size[0] * size[1]);
+  gl.readPixels(0, 0, size[0], size[1], gl.RGBA, gl.UNSIGNED_BYTE, all);
+  return { size, all };
+};
+const ink = () => {
+  const { all } = pixels(), colours = new Set();
+  let count = 0;
+  for (let i = 0; i < all.length; i += 4) if (all[i] < 250 || all[i + 1] < 250 || all[i + 2] < 250) {
+    ++count;
+    colours.add(all[i] << 16 | all[i + 1] << 8 | all[i + 2]);
+  }
+  return [4 * count / all.length, colours.size];
+};
+const onScreen = (x, y, z) => {  // of an undeformed point, in pixels of the canvas
+  const place = new THREE.Vector3(x, y, z).project(view.camera);
+  return [0.5 * (1 + place.x) * view.canvas.clientWidth, 0.5 * (1 - place.y) * view.canvas.clientHeight];
+};
+const colourAt = (x, y) => {
+  const { size, all } = pixels(), ratio = size[0] / view.canvas.clientWidth;
+  const i = 4 * (Math.floor(x * ratio) + size[0] * (size[1] - 1 - Math.floor(y * ratio)));
+  return Array.from(all.slice(i, i + 3));
+};
+say('ready', view.root.className);
+say('shape', [view.canvas.width / view.canvas.height, view.canvas.clientWidth / view.canvas.clientHeight]);
+say('network', performance.getEntriesByType('resource').length);
+say('ink', ink());
+say('frame', view.frame);
+event('enlargement', 0, 'input');
+say('enlargement', view.shared.enlargement.value);
+event('field', 'von_mises', 'change');
+view.element('from-z').click();
+say('top', [[2.5, 2.5], [7.5, 5]].map(([x, y]) => view.pick(...onScreen(x, y, 10))));
+say('beside', view.pick(3, 3));
+// The part below, with its body hidden.
+const box = view.root.querySelector('input[data-body="1"]');
+box.checked = false;
+box.dispatchEvent(new Event('change'));
+say('hidden', [[2.5, 2.5], [7.5, 5]].map(([x, y]) => view.pick(...onScreen(x, y, 5))));
+box.checked = true;
+box.dispatchEvent(new Event('change'));
+// Contact pressure, drawn without shading.
+event('field', 'pressure', 'change');
+say('pressure', [[5, 5], [2.5, 5], [9, 9]].map(([x, y]) => ({ at: [x, y], found: view.pick(...onScreen(x, y, 5)), colour: colourAt(...onScreen(x, y, 5)), range: view.range })));
+say('legend', Array.from(view.element('legend').querySelectorAll('.stop')).map(stop => stop.textContent));
+// A section: its area, its values at the corners of the elements, and nothing of the part that is cut away.
+event('field', 'von_mises', 'change');
+event('level', 0.5, 'input');
+event('axis', 0, 'change');
+let area = 0;
+const corners = [];
+for (const part of view.parts) {
+  const of = part.section.geometry.attributes, p = of.position.array, v = of.value.array;
+  for (let i = 0; i < p.length; i += 9) {
+    const [a, b, c] = [0, 3, 6].map(k => new THREE.Vector3(p[i + k], p[i + k + 1], p[i + k + 2]));
+    area += 0.5 * b.sub(a).cross(c.sub(a)).length();
+  }
+  for (let i = 0; i < v.length; ++i) corners.push([p[3 * i], p[3 * i + 1], p[3 * i + 2], v[i], part.number]);
+}
+say('area', area);
+say('corners', corners);
+view.element('from-x').click();
+say('cut', [view.pick(...onScreen(5, 2.5, 2.5)), view.cut]);
+event('axis', -1, 'change');
+say('uncut', view.pick(...onScreen(10, 2.5, 2.5)));
+// The load steps.
+if (view.data.frames.length > 1) {
+  event('frame', 0, 'input');
+  say('first', [view.frame, view.element('frame-name').textContent, Array.from(view.shifts.slice(0, 30))]);
+  event('frame', view.data.frames.length - 1, 'input');
+  say('last', Array.from(view.shifts.slice(0, 30)));
+}
+event('largest', 50, 'change');
+say('range', view.range);
+"""
+
+
+def nodes_of(folder, name="NodalVonMises"):
+    with h5py.File(folder / "fields_0005.vtkhdf") as file:
+        return file["VTKHDF/Points"][:], file[f"VTKHDF/PointData/{name}"][:]
+
+
+def in_browser(folder):
+    """The last of six load steps of the blocks."""
+    found = driven(folder, SCRIPT)
+    check("browser: no problem", (found.get("problem"), found.get("ready")), (None, "ready"))
+    if "range" not in found:
+        return
+    check("browser: the image is not distorted", found["shape"][0], near(found["shape"][1], 0.01))
+    check("browser: nothing is loaded", found["network"], 0)
+    check("browser: the canvas is not blank", found["ink"], lambda ink: 0.05 < ink[0] < 0.9 and ink[1] > 50)
+    check("browser: the last load step comes first", found["frame"], 5)
+    check("browser: deformation slider", found["enlargement"], 0)
+    points, mises = nodes_of(folder)
+
+    def at(*place):
+        return sorted(mises[np.abs(points - place).max(axis=1) < 1e-9].tolist())
+
+    largest = mises.max()
+    for place, pick in zip(((2.5, 2.5, 10), (7.5, 5, 10)), found["top"]):
+        check(f"browser: stress at {place}", (pick["name"], pick["value"]), lambda pair, place=place: pair[0] == "upper" and abs(pair[1] - at(*place)[0]) < 0.02 * largest)
+    check("browser: beside the bodies", found["beside"], None)
+    lower = [pick["name"] for pick in found["hidden"]]
+    check("browser: a hidden body shows the one below", lower, ["lower", "lower"])
+    run = RunFolder(folder)
+    table, pressure = matplotlib.colormaps["viridis"], run.contact.point_data["ContactPressure"]
+    for probe in found["pressure"]:
+        place = np.array([*probe["at"], 5.0])
+        check(f"browser: contact under {probe['at']}", probe["found"]["name"], "joint")
+        value, (low, high) = probe["found"]["value"], probe["range"]
+        node = np.flatnonzero(np.abs(run.contact.points - place).max(axis=1) < 1e-9)
+        if len(node):
+            check(f"browser: pressure at {probe['at']}", value, near(pressure[node[0]], 0.03 * pressure.max()))
+        colour = 255 * np.array(table((value - low) / (high - low))[:3])
+        check(f"browser: colour at {probe['at']}", np.array(probe["colour"], dtype=float), near(colour, 4.0))
+    ends = [float(text.replace("\u2212", "-")) for text in (found["legend"][0], found["legend"][-1])]
+    check("browser: ends of the legend", ends, near([0.0, pressure.max()], 6e-4 * pressure.max()))
+    check("browser: area of the section", found["area"], near(100.0, 1e-2))
+    compared = 0
+    for x, y, z, value, _ in found["corners"]:
+        known = at(round(x / 2.5) * 2.5, round(y / 2.5) * 2.5, round(z / 2.5) * 2.5) if abs(y / 2.5 - round(y / 2.5)) + abs(z / 2.5 - round(z / 2.5)) < 1e-3 else []
+        if known:
+            compared += 1
+            if min(abs(value - one) for one in known) > 1e-3 * largest:
+                check(f"browser: section at {(x, y, z)}", value, known)
+    check("browser: values of the section that are those of nodes", compared > 50, True)
+    pick, cut = found["cut"]
+    check("browser: the cut", (cut["axis"], cut["level"], pick["name"]), lambda cut: cut[0] == 0 and abs(cut[1] - 5) < 1e-3 and cut[2] == "lower")
+    check("browser: stress on the section", pick["value"], near(at(5, 2.5, 2.5)[0], 0.03 * largest))
+    check("browser: without the cut", found["uncut"]["value"], near(at(10, 2.5, 2.5)[0], 0.03 * largest))
+    frame, name, first = found["first"]
+    check("browser: first load step", (frame, name), (0, "load step 1 of 6, t = 0.5"))
+    scale = max(map(abs, found["last"]))
+    check("browser: its displacements are a sixth of the last", 6 * np.array(first), near(np.array(found["last"]), 2e-3 * scale))
+    check("browser: scale", found["range"], near([0.0, 50.0], 1e-9))
+
+
+if library() is None:
+    print("three.js is not installed (Debian: libjs-three): nothing to compare")
+    folder = options.work / "blocks"
+    space_scenes.blocks(folder, CELLS[12].faces, n=4)
+    without_library(folder)
+    finish()
+source = blocks()
+folder = steps(source)
+curved()
+safety(source)
+without_library(source)
+size_and_licence(source)
+if browser():
+    in_browser(folder)
+    on_paper(folder)
+else:
+    print("Chromium is not installed: the page is not drawn")
+finish()
