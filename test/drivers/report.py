@@ -226,6 +226,13 @@ check("notes: warnings", [entry.text for entry in tree.find(".//header/div[@id='
 check("notes: on the solver", [entry.text for entry in tree.find(".//section[@id='convergence']").iter("li")],
       ["Schur complements, chosen automatically: 1 explicit, 2 implicit."])
 
+summary["notes"] = [f"contact {k}: something" for k in range(30)]
+(noted / "summary.json").write_text(json.dumps(summary))
+plot(noted)
+tree, _ = page_of("many notes", noted)
+box = tree.find(".//div[@id='warnings']")
+check("many notes: all are there, eight at once", (len(list(box.iter("li"))), len(box.find("ul")), box.find("strong").text), (30, 8, "30 warnings"))
+
 # Safety factors only if the run has them; one below 1 is marked.
 check("no safety factors", tree.find(".//table[@id='safety_factors']"), None)
 summary["safety"] = {"stresses": "recovered at nodes", "least": 0.75, "body": "lower", "bodies": {

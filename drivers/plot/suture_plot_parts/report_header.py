@@ -9,7 +9,7 @@ FIELDS = ("Project", "Author", "Revision", "Date")
 # Notes of a run that report how it was solved. All others may limit what its answers are good for.
 ON_THE_SOLUTION = re.compile(r"Schur complements|nested start|continues at|; mortar, carried by|is solved exactly, without a further level|relaxation halved|"
                              r"\(\d+ solutions\)$|primal constraints")
-LARGE_ERROR = 0.25  # of the energy norm
+MOST_WARNINGS = 8  # that are shown at once
 
 
 def sentence(text):
@@ -79,9 +79,12 @@ def error_sentence(run):
 
 
 def warnings(run):
-    """Notes that may limit the answers, in amber."""
-    found = [esc(sentence(note)) for note in split_notes(run)[0]]
+    """Notes that may limit the answers, in amber; the first ones, and the others on demand."""
+    found = [f"<li>{esc(sentence(note))}</li>" for note in split_notes(run)[0]]
     if not found:
         return ""
-    return (f'<div class="warnings" id="warnings"><strong>{"Warning" if len(found) == 1 else f"{len(found)} warnings"}</strong><ul>' +
-            "".join(f"<li>{note}</li>" for note in found) + "</ul></div>\n")
+    more = len(found) - MOST_WARNINGS
+    others = (f'<details><summary>{number(more)} more</summary><ul>{"".join(found[MOST_WARNINGS:])}</ul></details>'
+              f'<p class="printed">{number(more)} more: on the screen, and in summary.json.</p>') if more > 0 else ""
+    return (f'<div class="warnings" id="warnings"><strong>{"Warning" if len(found) == 1 else f"{len(found)} warnings"}</strong>'
+            f'<ul>{"".join(found[:MOST_WARNINGS])}</ul>{others}</div>\n')
