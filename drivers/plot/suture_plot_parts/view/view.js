@@ -351,7 +351,7 @@
 
     /* Enlarges the image until the box around the bodies fills the canvas. */
     fit(zoomed = 1) {
-      const { low, high } = this.box, camera = this.camera, turn = new THREE.Matrix4().getInverse(camera.matrixWorld);
+      const { low, high } = this.box, camera = this.camera, turn = camera.matrixWorldInverse;
       let wide = 0, tall = 0;
       for (let corner = 0; corner < 8; ++corner) {
         const place = new THREE.Vector3(...[0, 1, 2].map(k => corner >> k & 1 ? high[k] : low[k])).applyMatrix4(turn);
@@ -499,7 +499,7 @@
       pen.clearRect(0, 0, canvas.width, canvas.height);
       pen.font = "bold 15px sans-serif";
       pen.lineWidth = 2;
-      const turn = new THREE.Matrix4().getInverse(this.camera.matrixWorld).elements;
+      const turn = this.camera.matrixWorldInverse.elements;
       ["#C1272D", "#00694D", "#0B4F9E"].forEach((colour, k) => {
         const x = turn[4 * k], y = turn[4 * k + 1];
         pen.strokeStyle = pen.fillStyle = colour;
