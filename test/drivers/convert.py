@@ -220,10 +220,10 @@ for name, cells in sources.items():
 
 for name, text, complaint in (
         ("bad.inp", "*NODE\n1, 0, x\n", "line 2: expected a node number and its coordinates, found '1, 0, x'"),
-        ("part.inp", "*PART, NAME=a\n*NODE\n1, 0, 0\n", "noPartsInputFile"),
+        ("part.inp", "*PART, NAME=a\n*NODE\n1, 0, 0\n*INSTANCE, NAME=b, PART=aa\n", "no such part 'aa'. Did you mean 'a'?"),
         ("solid.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=C3D15\n1, 1, 1, 1, 1\n", "solid elements of the type C3D15; known are C3D4, C3D5,"),
-        ("node.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n", "element 1 has the node 2, which no preceding *NODE defines"),
-        ("set.inp", "*NODE\n1, 0, 0\n*NSET, NSET=a\nb\n", "no such NSET 'b' before this line"),
+        ("node.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n", "element 1 has the node 2, which no *NODE defines"),
+        ("set.inp", "*NODE\n1, 0, 0\n*NSET, NSET=a\nb\n", "no such node set 'b'"),
         ("empty.inp", "", "no surface elements"),
         ("lifted.inp", "*NODE\n1, 0, 0, 0\n2, 1, 0, 1\n3, 0, 1, 0\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n", "in z but no volume elements"),
         ("nan.inp", "*NODE\n1, 0, nan\n2, 1, 0\n3, 0, 1\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n", "not finite"),
