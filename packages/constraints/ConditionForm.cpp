@@ -36,7 +36,7 @@ const std::vector<ConditionForm>& conditionForms() {
       {"Initial Strain", Type::InitialStrain, Place::Body, kTensor, kTensorInSpace, true, {}, {}, ""},
       {"Initial Stress", Type::InitialStress, Place::Body, kTensor, kTensorInSpace, true, {}, {}, ""},
       {"Mean Displacement", Type::MeanDisplacement, Place::Sides, kVector, kVectorInSpace, false, {}, {}, ""},
-      {"Preload", Type::Preload, Place::Body, kScalar, kScalar, false, {"Direction", "Length"}, {}, ""},
+      {"Preload", Type::Preload, Place::Body, kScalar, kScalar, false, {"Direction", "Length"}, {"Point"}, ""},
       {"Elastic Support",
        Type::ElasticSupport,
        Place::Sides,
@@ -157,7 +157,8 @@ Schema boundaryConditionSchema() {
       .optional()
       .reals("Point", std::nullopt,
              "position of a Point Force, or of the single node that a Displacement holds; point about which a Rotation turns in 2D, or a "
-             "point of its axis in 3D, by default the origin",
+             "point of its axis in 3D, by default the origin; Preload: middle of the Length on which the body is shortened, such as the "
+             "shank of a bolt, by default the whole body",
              "length")
       .optional()
       .real("Tolerance", std::nullopt,

@@ -72,6 +72,8 @@ class Search {
     for (Eigen::Index i = 0; i < size_; ++i) {
       const double slope = controlledSlope(*comm, meshes, scene.model, load(i));
       const bool isForce = load(i).control == Control::SectionForce;
+      if (isForce && slope == 0.0)
+        throw InputError(load(i).path, "its Point and Length contain no part of body '" + load(i).body + "': nothing is shortened");
       slopes_(i, i) = isForce ? slope : slope / kFirstPull;
       amounts_[i] = isForce ? load(i).target / slope : 0.0;
     }

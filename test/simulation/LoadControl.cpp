@@ -123,5 +123,28 @@ TEUCHOS_UNIT_TEST(LoadControl, ShortensABoltByItsForceOverTheSpringsInSeries) {
   TEST_FLOATING_EQUALITY(simulation.scene().model.loads[0].tensor[1], 40.0 * (1.0 / 2e5 + 2.0 / 1e5), 1e-7);
 }
 
+TEUCHOS_UNIT_TEST(LoadControl, ShortensOnlyTheShankOfABolt) {
+  ElasticModel model = modelOf({{"bar", 1e5}}, 0.0);
+  model.loads = {Load::preload("bar", {0, -5, 0}, 2.0, 40.0, Point{0.3, 2.0, 0})};  // on y = 1 to 3 of 4
+  const auto mesh = [] { return boxes({{"bar", 0, 1, 0, 4, 4, 8, Cell::Quadrilateral8}}); };
+  const std::vector<Condition> held{Condition::bilateral("bar_bottom"), Condition::bilateral("bar_top"), Condition::bilateral("bar_left")};
+  Simulation simulation(blocks::world(), makeScene(model, mesh, held, {}, settingsOf({})));
+  const Solution& solution = simulation.solve();
+  TEST_ASSERT(simulation.ending() == ExitCode::Done);
+  TEST_FLOATING_EQUALITY(simulation.scene().model.loads[0].tensor[1], -40.0 * 4.0 / 1e5 / 2.0, 1e-7);  // shortening F l / E, over 2
+  TEST_FLOATING_EQUALITY(solution.extremes.displacement.value, 40.0 * 1.0 / 1e5, 1e-7);                // F / E over the length 1 outside
+  TEST_FLOATING_EQUALITY(solution.verification.reactions.supports[0].force[1], -40.0, 1e-7);
+
+  model.loads = {Load::preload("bar", {0, 1, 0}, 2.0, 40.0, Point{0, 9.0, 0})};
+  Simulation outside(blocks::world(), makeScene(model, mesh, held, {}, settingsOf({})));
+  std::string text;
+  try {
+    outside.solve();
+  } catch (const InputError& error) {
+    text = error.what();
+  }
+  TEST_ASSERT(text.find("contain no part of body 'bar'") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace suture

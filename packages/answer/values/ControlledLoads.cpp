@@ -35,7 +35,7 @@ void addSides(const SubdomainMesh& mesh, const Vector& displacement, const Load&
   }
 }
 
-/// Integral of axis . stress . axis over a mesh.
+/// Integral of axis . stress . axis over the part of a mesh on which a load acts.
 template <int D>
 double axialStress(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement, const Load& load) {
   const InitialState initial(model, mesh.body);
@@ -51,7 +51,7 @@ double axialStress(const SubdomainMesh& mesh, const ElasticModel& model, const V
     ElementStress<D> element(mesh, e, reference, law, displacement, initial);
     for (int q = 0; q < reference.points; ++q) {
       element.at(q);
-      sum += element.map().measure() * along.dot(element.stress());
+      if (load.covers(element.map().place())) sum += element.map().measure() * along.dot(element.stress());
     }
   }
   return sum;

@@ -5,7 +5,9 @@
 #include <suture/elasticity/ReferenceElement.hpp>
 
 #include <array>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,9 +56,10 @@ struct Load {
   /// [length], for a Force; the force that its body carries along its axis [force], for an InitialStrain.
   enum class Control { None, MeanDisplacement, SectionForce };
   Control control = Control::None;
-  double target = 0;    ///< required value, in the unit of the control
-  Point axis{0, 0, 0};  ///< a unit vector; for a resolved Force divided by the area of its groups
-  double length = 0;    ///< length over which an InitialStrain shortens its body by the amount [length]
+  double target = 0;     ///< required value, in the unit of the control
+  Point axis{0, 0, 0};   ///< a unit vector; for a resolved Force divided by the area of its groups
+  double length = 0;     ///< length over which an InitialStrain shortens its body by the amount [length]
+  bool isLocal = false;  ///< an InitialStrain acts only where its distance from `place` along the axis is at most length / 2
   /// InitialStrain and InitialStress [stress], instead of value, in the order of StressVector.hpp; the last two are unused in 2D
   std::array<double, 6> tensor{};
   /// NodalForces: forces on nodes of the mesh, on every rank those of all ranks [force]. Boundary conditions of scene files do not have
@@ -76,10 +79,13 @@ struct Load {
   }
   /// The same for a kind with a tensor.
   std::array<double, 6> tensorAt(const Point& point) const {
+    if (!covers(point)) return {};
     std::array<double, 6> here = tensor;
     for (std::size_t k = 0; k < expressions.size(); ++k) here[k] = expressions[k].at(point);
     return here;
   }
+  /// False outside of the length on which a local load acts.
+  bool covers(const Point& point) const { return !isLocal || std::abs(dot(minus(point, place), axis)) <= length / 2; }
   /// True if the value depends on position.
   bool varies() const { return !expressions.empty() || spin != Point{0, 0, 0} || kind == Kind::Rotation; }
   Rule rule() const { return varies() ? Rule::Data : Rule::Load; }
@@ -105,8 +111,10 @@ struct Load {
   /// Uniform traction for which the mean displacement of a group has this component. [length]
   static Load meanDisplacement(const std::string& group, int component, double value);
   /// Shortening of a body along a direction, e.g. a bolt, for which it carries a given force. \param length  between the points where the
-  /// force enters and leaves the body [length] \param value  the force, tension positive [force]
-  static Load preload(const std::string& body, const Point& direction, double length, double value);
+  /// force enters and leaves the body [length] \param value  the force, tension positive [force] \param middle  of that length, to
+  /// shorten the body only there; none: the whole body
+  static Load preload(const std::string& body, const Point& direction, double length, double value,
+                      const std::optional<Point>& middle = std::nullopt);
 
   /// Acts on bodies as a whole.
   bool onBody() const { return onElements() || isInitial() || kind == Kind::Random; }

@@ -106,7 +106,8 @@ void readControlled(const Parameters& condition, ElasticModel& model, const Cons
     else if (model.axisymmetric && direction[0] != 0.0)
       problems.add(pathOf(condition, "Direction"), "is not along the axis of a body of revolution; expected {0, 1}");
     else if (numberIn(condition, "Length", 0.0) > 0.0 && data.values.size() == 1)
-      loads.push_back(Load::preload(textIn(condition, "Body"), direction, numberIn(condition, "Length", 0.0), data.values[0]));
+      loads.push_back(Load::preload(textIn(condition, "Body"), direction, numberIn(condition, "Length", 0.0), data.values[0],
+                                    condition.isParameter("Point") ? std::optional<Point>(pointIn(condition, "Point")) : std::nullopt));
     if (const std::string body = textIn(condition, "Body"); std::find(model.bodies.begin(), model.bodies.end(), body) == model.bodies.end())
       problems.add(pathOf(condition, "Body"), body.empty()
                                                   ? "is missing: a Preload needs the body of its bolt. Bodies: " + joinNames(model.bodies)
@@ -198,12 +199,14 @@ Load Load::meanDisplacement(const std::string& group, int component, double valu
   return load;
 }
 
-Load Load::preload(const std::string& body, const Point& direction, double length, double value) {
+Load Load::preload(const std::string& body, const Point& direction, double length, double value, const std::optional<Point>& middle) {
   Load load = initialStrain({}, body);
   load.control = Control::SectionForce;
   load.axis = unit(direction);
   load.length = length;
   load.target = value;
+  load.isLocal = middle.has_value();
+  load.place = middle.value_or(load.place);
   return load;
 }
 
