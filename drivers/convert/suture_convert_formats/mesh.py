@@ -152,6 +152,17 @@ class Mesh:
                                     "material, the others not sides of elements")
             self._add_rows(name, self.sides[row[ids[found]]])
 
+    def sides_with(self, rows):
+        """Boundary sides with the vertices of each row, in any order. \\return their rows, number of rows inside the material, of other rows"""
+        if not hasattr(self, "_row_of"):
+            vertices = np.sort(self.vertices, axis=1).tolist()
+            self._row_of = {}
+            for at, key in enumerate(map(tuple, vertices)):
+                self._row_of[key] = -1 if key in self._row_of else at  # -1: two elements have this side
+        found = [self._row_of.get(tuple(sorted([*row, *[-1] * (4 - len(row))])), -2) for row in rows]
+        places = sorted({at for at in found if at >= 0})
+        return self.sides[places], found.count(-1), found.count(-2)
+
     def _add_nodes(self, name, nodes):
         """Adds the boundary sides whose nodes (or vertices, if the set contains vertices only) are all in a set."""
         among = np.zeros(len(self.points) + 1, dtype=bool)  # the last entry means no node
