@@ -1,6 +1,7 @@
 """Integrals over sides of elements, and nearest points on them."""
 import numpy as np
 
+CLUSTER = 64  # points that are projected together
 AT_3 = np.sqrt(0.6) * np.array([-1, 0, 1]), np.array([5, 8, 5]) / 9
 # Second-order side: first-order pieces by its nodes. Vertices come first, then the nodes between them, then the centre.
 PIECES = {(2, 2): [(0, 1)], (2, 3): [(0, 2), (2, 1)], (3, 3): [(0, 1, 2)], (3, 4): [(0, 1, 2), (0, 2, 3)],
@@ -118,15 +119,30 @@ def project(mesh, points, rows):
         normals = np.column_stack([along[:, 1], -along[:, 0]])
     else:
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    centres = corners.mean(axis=1)
+    radii = np.linalg.norm(corners - centres[:, None], axis=2).max(axis=1)
     nearest, distances = np.zeros_like(points), np.zeros(len(points))
-    each = max(1, 200000 // len(corners))
-    for first in range(0, len(points), each):
-        some = points[first:first + each]
-        found = (nearest_on_segments if mesh.dimension == 2 else nearest_on_triangles)(some, *np.moveaxis(corners, 1, 0))
-        far = np.linalg.norm(some[:, None] - found, axis=2)
+    for some in clusters(points, np.arange(len(points))):
+        own = points[some]
+        centre = own.mean(axis=0)
+        size = np.linalg.norm(own - centre, axis=1).max()
+        away = np.linalg.norm(centres - centre, axis=1)
+        close = np.flatnonzero(away - radii <= away.min() + 2 * size)  # no other piece is nearest to any of these points
+        found = (nearest_on_segments if mesh.dimension == 2 else nearest_on_triangles)(own, *np.moveaxis(corners[close], 1, 0))
+        far = np.linalg.norm(own[:, None] - found, axis=2)
         at = far.argmin(axis=1)
-        here = np.arange(len(some))
-        nearest[first:first + each] = found[here, at]
-        sign = np.einsum("pd,pd->p", some - found[here, at], normals[at])
-        distances[first:first + each] = np.where(sign < 0, -1, 1) * far[here, at]
+        here = np.arange(len(own))
+        nearest[some] = found[here, at]
+        sign = np.einsum("pd,pd->p", own - found[here, at], normals[close[at]])
+        distances[some] = np.where(sign < 0, -1, 1) * far[here, at]
     return nearest, distances
+
+
+def clusters(points, numbers):
+    """Numbers of points in groups of at most CLUSTER neighbours, by halving along the longest edge"""
+    if len(numbers) <= CLUSTER:
+        return [numbers]
+    own = points[numbers]
+    order = numbers[np.argsort(own[:, np.ptp(own, axis=0).argmax()], kind="stable")]
+    half = len(order) // 2
+    return clusters(points, order[:half]) + clusters(points, order[half:])
