@@ -32,7 +32,8 @@ Schema outputSchema() {
             "this time and the current iteration. Removed at the end of a run that converged. 0: never.",
             Range::atLeast(0), "min")
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
-                    "Factor by which suture_plot enlarges the displacements; Automatic: to about a twentieth of the model size.")
+                    "Factor by which suture_plot enlarges the displacements; Automatic: to about a twentieth of the model size, "
+                    "at most such that no gap or hole closes in the picture.")
       .list("Probes", Schema("Tables of values at points, along lines and on groups, named by the user.").each("<probe>", probeSchema()));
 }
 
