@@ -40,9 +40,9 @@ class PlaneImage:
         found = self.raster.interpolate(values[self.triangles]) if nodal else values[self.cells[self.raster.shown]]
         show(self.axes, picture(self.raster, coloured(found, low, high, colours)))
 
-    def edges(self, points, **style):
-        """The sides of all cells, unless they would merge into an area."""
-        if self.grid.count <= MOST_EDGES:
+    def edges(self, points, most=MOST_EDGES, **style):
+        """The sides of all cells, unless there are more than `most` cells, whose sides would merge into an area."""
+        if self.grid.count <= most:
             self.axes.add_collection(LineCollection(points[self.grid.edges][:, :, :2], **{"linewidths": 0.12, "zorder": 1.5, **style}))
 
 
