@@ -16,7 +16,7 @@ struct DrawnCells {
   GridPiece grid;
   std::vector<int> body;
   std::map<std::string, std::vector<int>> ofGroup;  // cells of each side group in 3D
-  std::vector<GlobalId> nodes;                      // of the mesh, by point
+  std::vector<GlobalId> nodes;                      // numbers in the mesh, by point
 };
 
 // VTK's type of a face with this number of nodes.

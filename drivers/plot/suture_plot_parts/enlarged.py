@@ -41,7 +41,7 @@ def limit(width, change, slack):
     left = np.where(seen, OPEN * width, -slack)
     closes = change < 0
     factors = (width[closes] - left[closes]) / -change[closes]
-    # What the solution itself narrows further, is drawn as it is.
+    # A gap that the solution itself narrows further is drawn as it is.
     return max(factors.min(initial=np.inf), 1.0)
 
 

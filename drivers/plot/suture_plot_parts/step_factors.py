@@ -42,7 +42,7 @@ def factor_at(run, name, time):
 
 
 def evaluated(text, values):
-    """Value of an expression in the language of the scene. \\throws ValueError, KeyError, SyntaxError  for what it does not know"""
+    """Value of an expression in the language of the scene. \\throws ValueError, KeyError, SyntaxError  for unknown parts"""
     text = re.sub(r"\^", "**", text.replace("&&", " and ").replace("||", " or "))
     parts = re.fullmatch(r"([^?]*)\?(.*):([^:]*)", text)
     if parts:
