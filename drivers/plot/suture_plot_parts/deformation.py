@@ -35,7 +35,7 @@ def deformation_figure(run, factor):
     figure, axes = canvas(np.vstack([grid.points, moved]), words, run.length_unit, extra=0.9, names=run.axes)
     image, high = PlaneImage(axes, grid, moved), scale * norm.max() or 1.0
     image.colour_by(scale * norm, True, 0.0, high, matplotlib.colormaps["viridis"])
-    image.edges(moved, FEW_CELLS, colors="#00000066", linewidths=0.15)
+    image.edges(moved, FEW_CELLS, colors="#00000038")
     for points, style in ((grid.points, {"colors": "#8a8a8a", "linewidths": 0.9, "linestyles": (0, (4, 2)), "zorder": 4}),
                           (moved, {"colors": "black", "linewidths": 1.0, "zorder": 5})):
         axes.add_collection(LineCollection(grid.lines(grid.boundary, points), **style))

@@ -70,7 +70,7 @@ def mesh_figure(run):
     colours = subdomain_colours(grid)
     image = image_of(axes, grid)
     image.colour(np.array([colours.get(s, (1, 1, 1)) for s in range(max(colours) + 1)])[grid.cell_data["Subdomain"].astype(int)])
-    image.edges(grid.points, colors="#5b5b5b")
+    image.edges(grid.points, colors="#00000038")
     placer = LabelPlacer(figure, axes)
     placer.prefer_outside(grid.centroids[::max(1, grid.count // 4000)])
     size = np.ptp(grid.points[:, :2], axis=0).max()
