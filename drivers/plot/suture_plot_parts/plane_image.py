@@ -29,7 +29,7 @@ class PlaneImage:
         near = np.flatnonzero(((corners.max(axis=1) >= [x0, y0]) & (corners.min(axis=1) <= [x1, y1])).all(axis=1))
         self.triangles, self.cells = self.triangles[near], self.cells[near]
         self.raster = Raster((x0, y0), (x1, y1), shape)
-        self.raster.draw(points[:, :2], np.zeros(len(points)), self.triangles)
+        self.raster.draw(points[:, :2], None, self.triangles)
 
     def colour(self, colours):
         """\\param colours  red, green, blue of each cell, or of all"""
@@ -53,7 +53,7 @@ def image_of(axes, grid):
         size = np.maximum(high - low, 1e-300)
         scale = (matplotlib.rcParams["savefig.dpi"] * np.array([WIDEST - 1.0, HIGHEST]) / size).min()  # pixels per length, of the largest picture
         raster = Raster(low - 1 / scale, high + 1 / scale, np.ceil(scale * size[::-1]).astype(int) + 2)
-        raster.draw(grid.points[:, :2], np.zeros(len(grid.points)), grid.fans[0])
+        raster.draw(grid.points[:, :2], None, grid.fans[0])
         grid.shared_raster = raster
         grid.shared_images = {}
     frame = (*axes.get_xlim(), *axes.get_ylim(), *box_in_pixels(axes))

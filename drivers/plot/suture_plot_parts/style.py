@@ -22,7 +22,7 @@ LOAD, SUPPORT = "#C2410C", "#00694D"
 PRESSURE_COLOUR, GAP_COLOUR = "#0072B2", "#D55E00"
 GREY = "#9a9a9a"
 MARGIN = 0.08  # inches around the content of a picture
-COMPRESSION_LEVEL = 4  # of zlib: 6 makes a picture a few percent smaller, in twice the time
+PNG_OPTIONS = {"compress_level": 1, "compress_type": 3}  # zlib's run lengths: a few percent larger than the default, in half of the time
 MOST_EDGES = 40000  # with more cells, the edges would merge into a black area
 WIDEST, HIGHEST = 10.0, 8.0  # inches
 
@@ -149,7 +149,7 @@ def save(figure, path):
     drawn = image.view(np.uint32)[:, :, 0] != 0xFFFFFFFF
     (top, bottom), (left, right) = (edges(drawn.any(axis=axis), MARGIN * dpi) for axis in (1, 0))
     partial = path.with_name(path.name + ".part")
-    Image.fromarray(np.ascontiguousarray(image[top:bottom, left:right, :3])).save(partial, format="png", compress_level=COMPRESSION_LEVEL, dpi=(dpi, dpi))
+    Image.fromarray(np.ascontiguousarray(image[top:bottom, left:right, :3])).save(partial, format="png", dpi=(dpi, dpi), **PNG_OPTIONS)
     os.replace(partial, path)
     return path
 
