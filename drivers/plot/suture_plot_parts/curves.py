@@ -2,7 +2,7 @@
 import math
 
 import numpy as np
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator, NullFormatter
 
 from .run import probe_table
 from .style import GREY, PALETTE, headline, with_panels, wrapped
@@ -61,6 +61,8 @@ def convergence_figure(run):
     except (TypeError, ValueError):
         pass  # Automatic: it depends on the estimated error
     above.set_ylabel("relative residual")
+    above.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"1e{math.log10(value):.0f}"))  # without the slow mathtext
+    above.yaxis.set_minor_formatter(NullFormatter())
     above.grid(axis="y", lw=0.3, color="#cccccc")
     above.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=8)
     auxiliary, outer = run.summary.get("auxiliary", {}), run.summary["outer"]

@@ -22,8 +22,9 @@ class Raster:
     def _seen(self):
         self.samples = np.flatnonzero(self.triangle.reshape(-1) >= 0)
         self.shown = self.triangle.reshape(-1)[self.samples]
-        row = self.samples // self.shape[1]
-        self._x, self._y = self.samples - row * self.shape[1] + 0.5, row + 0.5
+        number, columns = self.samples.astype(np.int32), np.int32(self.shape[1])
+        row = number // columns
+        self._x, self._y = (number - row * columns) + 0.5, row + 0.5
 
     def in_samples(self, flat):
         """Converts plot coordinates to samples; the centre of the first sample is at 0.5."""
