@@ -9,6 +9,7 @@
 #include "support/Heartbeat.hpp"
 #include "support/Print.hpp"
 #include "support/Program.hpp"
+#include "support/SceneDataFile.hpp"
 #include "support/SolveAgain.hpp"
 #include "support/SolveScene.hpp"
 #include "support/StopSignals.hpp"
@@ -27,6 +28,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const Invocation invocation = options.invocation(*comm);
   RunContext run(comm, monitor, timers);
   Scene scene = sceneOf(*comm, file);
+  if (!options.sceneData.empty()) return writeSceneDataFile(*comm, scene, options);
   if (!options.check) run.writeInto(outputFolder(file));
   MeshedScene meshed = read(run, std::move(scene));
   PartitionedScene partitioned = cut(std::move(meshed));
@@ -36,7 +38,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   printSizes(*comm, prepared, options);
   prepared.remark();
   if (options.check) {
-    printChecked(*comm, prepared);
+    printChecked(*comm, prepared, options);
     monitor.countWarnings();
     return {};
   }

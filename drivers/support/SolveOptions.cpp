@@ -21,6 +21,11 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
                                        "Start from the checkpoint.h5 of a run on the same mesh: an unfinished run, or an earlier load step")
                             ->type_name("FILE");
     CLI::Option* look = app.add_flag("--check", check, "Read the scene, partition the mesh, and print sizes and memory without solving");
+    CLI::Option* draw = app.add_option("--scene-data", sceneData,
+                                       "Read scene and mesh, write the data of their drawing to FILE (VTKHDF), and stop; "
+                                       "'suture_plot --scene SCENE' does this and draws it")
+                            ->type_name("FILE")
+                            ->excludes(look);
     CLI::Option* print = app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults and stop");
     app.add_flag("--quiet", quiet, "Print errors only");
     app.add_flag("--verbose", verbose, "Also print the inner iterations; not together with --quiet");
@@ -44,7 +49,7 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
         return;
       }
       if (scene.empty() && again.empty()) throw CLI::RequiredError("SCENE");
-      for (const CLI::Option* other : {file, set, from, look, print, plugin, severe})
+      for (const CLI::Option* other : {file, set, from, look, draw, print, plugin, severe})
         if (!again.empty() && other->count() > 0) throw CLI::ExcludesError(other->get_name(), repeat->get_name());
     });
   };

@@ -14,6 +14,7 @@ struct SolveOptions {
   std::string restart;                 ///< checkpoint to start from, or empty
   std::vector<std::string> overrides;  ///< from --set, and --output as "Output/Folder=DIR"
   std::vector<std::string> plugins;
+  std::string sceneData;  ///< file for the data of a drawing, or empty
   bool check = false, printDefaults = false, quiet = false, verbose = false, strict = false;
   std::vector<std::string> commandLine;  ///< as given, for provenance
 

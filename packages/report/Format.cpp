@@ -23,4 +23,15 @@ std::string grouped(long long number) {
 
 std::string counted(long long number, const std::string& noun) { return grouped(number) + " " + noun + (number == 1 ? "" : "s"); }
 
+std::string shellCommand(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    const bool quote = word.empty() || word.find_first_of(" \t\"'$*?()<>|&;\\{}") != std::string::npos;
+    std::string quoted = word;
+    for (std::size_t at = 0; quote && (at = quoted.find('\'', at)) != std::string::npos; at += 4) quoted.replace(at, 1, "'\\''");
+    text += (text.empty() ? "" : " ") + (quote ? "'" + quoted + "'" : word);
+  }
+  return text;
+}
+
 }  // namespace suture

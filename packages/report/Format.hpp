@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace suture {
 
@@ -11,5 +12,8 @@ std::string grouped(long long number);
 
 /// "1 rank", "2 ranks".
 std::string counted(long long number, const std::string& noun);
+
+/// The words of a command line, quoted where necessary such that it can be pasted into a shell. Local.
+std::string shellCommand(const std::vector<std::string>& words);
 
 }  // namespace suture

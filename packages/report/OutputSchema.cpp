@@ -36,7 +36,8 @@ Schema outputSchema() {
             "those caused by an excavation without those of the in-situ state. 0: none.",
             Range::atLeast(0))
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
-                    "Factor by which suture_plot enlarges the displacements; Automatic: to about a twentieth of the model size.")
+                    "Factor by which suture_plot enlarges the displacements; Automatic: to about a twentieth of the model size, "
+                    "at most such that no gap or hole closes in the picture.")
       .list("Probes", Schema("Tables of values at points, along lines and on groups, named by the user.").each("<probe>", probeSchema()));
 }
 

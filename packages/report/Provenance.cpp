@@ -7,22 +7,11 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Version.hpp>
+#include <suture/report/Format.hpp>
 #include <suture/report/Provenance.hpp>
 
 namespace suture {
 namespace {
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    // Quote values with blanks ("Outer Solver/Type=Chord"), such that the line can be pasted into a shell.
-    const bool quote = word.empty() || word.find_first_of(" \t\"'$*?()<>|&;\\") != std::string::npos;
-    std::string quoted = word;
-    for (std::size_t at = 0; quote && (at = quoted.find('\'', at)) != std::string::npos; at += 4) quoted.replace(at, 1, "'\\''");
-    text += (text.empty() ? "" : " ") + (quote ? "'" + quoted + "'" : word);
-  }
-  return text;
-}
 
 GlobalId seedOf(const Parameters& scene) {
   if (!scene.isSublist("Partition") || !scene.sublist("Partition").isSublist("METIS")) return 0;
@@ -66,7 +55,7 @@ void writeProvenance(const Run& run, Hdf5Writer& file) {
   file.write("/Record/Version", version());
   file.write("/Record/Commit", commit());
   file.write("/Record/Libraries", libraries.dump());
-  file.write("/Record/CommandLine", joined(run.invocation.commandLine));
+  file.write("/Record/CommandLine", shellCommand(run.invocation.commandLine));
 }
 
 std::vector<std::string> materialNames(const ElasticModel& model) {

@@ -161,14 +161,16 @@ def rasteriser():
 
 
 def colours():
-    raster = Raster((0, 0), (4, 4), (8, 8))
-    raster.draw(np.array([[0, 0], [2.5, 0], [2.5, 4], [0, 4.0]]), np.zeros(4), np.array([[0, 1, 2], [0, 2, 3]]))
+    raster = Raster((0, 0), (4, 4), (4, 4))
+    raster.draw(np.array([[0, 0], [2.6, 0], [2.6, 4], [0, 4.0]]), np.zeros(4), np.array([[0, 1, 2], [0, 2, 3]]))
     import matplotlib
     viridis = matplotlib.colormaps["viridis"]
     image = picture(raster, coloured(np.full(len(raster.samples), 7.0), 0.0, 7.0, viridis))
-    check("opacity: full, half, none", image[1, 1:4, 3].tolist(), [1.0, 0.5, 0.0])
-    check("colour of the largest value", image[1, 1, :3], near(viridis(1.0)[:3], 1 / 255))
-    check("colour at a border is not mixed with the ground", image[1, 2, :3], near(viridis(1.0)[:3], 1 / 255))
+    check("opacity: the sample in the middle of a pixel", image[1, :, 3].tolist(), [255, 255, 255, 0])
+    check("colour of the largest value", image[1, 1, :3] / 255, near(viridis(1.0)[:3], 1 / 255))
+    half = raster.resampled((0, 0), (8, 4), (4, 8))
+    check("another region: the same samples, then none", (half.triangle[:, :4].tolist(), (half.triangle[:, 4:] < 0).all()), (raster.triangle.tolist(), True))
+    check("another region: a linear function", half.interpolate(np.array([[0, 2.6, 2.6], [0, 2.6, 0]])) - half.places()[:, 0], near(0.0, 1e-6))
     check("an unknown value is grey", coloured(np.array([np.nan]), 0.0, 1.0, viridis)[0], near(0.75, 1e-6))
 
 

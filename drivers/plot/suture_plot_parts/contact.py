@@ -1,12 +1,11 @@
 """contact.png, contact_2.png, ...: pressure and gap along each contact line; with friction also the tangential traction."""
 import math
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from .friction import draw_friction, friction_legend, has_friction
 from .line_panel import curve
-from .style import GAP_COLOUR, PRESSURE_COLOUR, shortened, wrapped
+from .style import GAP_COLOUR, PRESSURE_COLOUR, headline, shortened, with_panels, wrapped
 from .units import scaled
 
 FEW = 6  # lines on one page of large panels; more lines are distributed over pages of small panels
@@ -34,9 +33,8 @@ def contact_figure(run, lines, small, part):
     rubs = has_friction(grid)
     panels = 3 if rubs else 2
     width, height = (max(2.9 * columns, 6.5), 1.55 * panels * rows) if small else (max(3.6 * columns, 6.5), 2.1 * panels * rows)
-    figure, axes = plt.subplots(panels * rows, columns, figsize=(width, height + 0.5), squeeze=False, constrained_layout=True)
-    figure.suptitle(wrapped(f"{run.title}: contact lines{part}; filled: closed, hollow on grey: open{run.state}", int(13 * width)), fontsize=10, x=0.01,
-                    ha="left")
+    figure, axes = with_panels(panels * rows, columns, (width, height + 0.5), squeeze=False)
+    headline(figure, wrapped(f"{run.title}: contact lines{part}; filled: closed, hollow on grey: open{run.state}", int(13 * width)))
     for extra in range(len(lines), rows * columns):
         for k in range(panels):
             axes[panels * (extra // columns) + k][extra % columns].set_visible(False)
@@ -49,7 +47,7 @@ def contact_figure(run, lines, small, part):
         pressure, gap, initial = (data[name][own] for name in ("ContactPressure", "Gap", "InitialGap"))
         name = names[int(line)] if 0 <= line < len(names) else f"line {line:g}"
         pairs = f"{len(own)} pair{'s' if len(own) != 1 else ''}, {np.count_nonzero(~active)} open"
-        above.set_title(f"{shortened(name, 20 if small else 26 if columns > 1 else 60)}: {pairs}", loc="left", fontsize=8 if small else 9)
+        above.set_title(f"{shortened(name, 20 if small else 26 if columns > 1 else 60)}: {pairs}", loc="left", fontsize=8 if small else 9, y=1.0)
         for axis, values, factor, colour in ((above, pressure, pressure_factor, PRESSURE_COLOUR), (below, gap, gap_factor, GAP_COLOUR)):
             curve(axis, arc, factor * values, active, colour, small)
         if rubs:

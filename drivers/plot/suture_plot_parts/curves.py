@@ -1,12 +1,11 @@
 """Curves: convergence.png, probe_*.png."""
 import math
 
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator, NullFormatter
 
 from .run import probe_table
-from .style import GREY, PALETTE, wrapped
+from .style import GREY, PALETTE, headline, with_panels, wrapped
 from .units import scaled
 
 MOST_MARKS = 60  # outer iterations with markers of full size
@@ -26,7 +25,7 @@ def probe_figure(run, path):
     if np.isfinite(table["pressure"]).any():
         factor, unit = scaled(run.stress_unit, np.nanmax(np.abs(table["pressure"])))
         panels.append((f"pressure [{unit}]", [("pressure", factor, "contact pressure")]))
-    figure, axes = plt.subplots(len(panels), 1, figsize=(6.5, 2.3 * len(panels) + 0.6), sharex=True, squeeze=False, constrained_layout=True)
+    figure, axes = with_panels(len(panels), 1, (6.5, 2.3 * len(panels) + 0.6), sharex=True, squeeze=False)
     for axis, (label, curves) in zip(axes[:, 0], panels):
         axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
         for number, (name, factor, words) in enumerate(curves):
@@ -37,7 +36,7 @@ def probe_figure(run, path):
         axis.yaxis.set_major_locator(MaxNLocator(nbins=5))
         axis.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(curves), borderaxespad=0.0, fontsize=8)
     axes[-1, 0].set_xlabel(f"arc length [{length}]")
-    figure.suptitle(wrapped(f"{run.title}: {path.stem.replace('probe_', 'probe ')}{run.state}", 85), fontsize=10, x=0.01, ha="left")
+    headline(figure, wrapped(f"{run.title}: {path.stem.replace('probe_', 'probe ')}{run.state}", 85))
     return figure
 
 
@@ -50,7 +49,7 @@ def convergence_figure(run):
         return np.insert(np.asarray(values, dtype=float), starts, math.nan)
 
     many = len(k) > MOST_MARKS
-    figure, (above, below) = plt.subplots(2, 1, figsize=(6.5, 5.2), sharex=True, height_ratios=[2, 1], constrained_layout=True)
+    figure, (above, below) = with_panels(2, 1, (6.5, 5.2), sharex=True, gridspec_kw={"height_ratios": [2, 1]})
     above.semilogy(parted(k), parted([max(row["residual"], 1e-18) for row in run.history]), "o-", ms=2 if many else 4, color=PALETTE[4],
                    label="stopping norm")
     euclidean = [row.get("euclidean", 0.0) for row in run.history]
@@ -62,12 +61,14 @@ def convergence_figure(run):
     except (TypeError, ValueError):
         pass  # Automatic: it depends on the estimated error
     above.set_ylabel("relative residual")
+    above.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"1e{math.log10(value):.0f}"))  # without the slow mathtext
+    above.yaxis.set_minor_formatter(NullFormatter())
     above.grid(axis="y", lw=0.3, color="#cccccc")
     above.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=8)
     auxiliary, outer = run.summary.get("auxiliary", {}), run.summary["outer"]
     first = auxiliary.get("iterations", 0)
     after = f", after {first} in the auxiliary problem" if first else ""
-    above.set_title(wrapped(f"{run.title}{run.state}", 60) + f"\n{outer.get('solver', '')}: {outer.get('pcg_total', 0)} PCG{after}", loc="left")
+    above.set_title(wrapped(f"{run.title}{run.state}", 60) + f"\n{outer.get('solver', '')}: {outer.get('pcg_total', 0)} PCG{after}", loc="left", y=1.0)
     below.bar(k, [row["pcg"] for row in run.history], width=0.6, color=PALETTE[1])
     for axis in (above, below):
         for start in starts:

@@ -53,7 +53,7 @@ def draw_friction(axis, grid, own, small, labels):
         axis.set_ylim(-1, 1)
     if labels:
         axis.set_ylabel(f"tangential [{unit}]")
-    axis.set_title(f"{np.count_nonzero(stick == 1)} stick, {np.count_nonzero(stick == 0)} slip", loc="left", fontsize=8 if small else 9)
+    axis.set_title(f"{np.count_nonzero(stick == 1)} stick, {np.count_nonzero(stick == 0)} slip", loc="left", fontsize=8 if small else 9, y=1.0)
 
 
 def friction_legend(figure):

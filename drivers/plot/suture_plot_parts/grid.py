@@ -19,6 +19,8 @@ WORDS = {5: "triangles of 3 nodes", 22: "triangles of 6 nodes", 9: "quadrilatera
 class Grid:
     """Unstructured grid of a VTKHDF file, with its partitions merged."""
 
+    _order = ORDER
+
     def __init__(self, path):
         self.path = path
         try:
@@ -44,9 +46,10 @@ class Grid:
         self.count = len(self.types)
         # Cells of one kind: their numbers and nodes; nodes of 2D cells along the outline.
         self.blocks = []
-        for kind in sorted(set(self.types.tolist()) & set(ORDER)):
-            own = np.flatnonzero(self.types == kind)
-            self.blocks.append((kind, own, nodes[starts[own][:, None] + np.array(ORDER[kind])]))
+        for kind in np.unique(self.types).tolist():
+            if kind in self._order:
+                own = np.flatnonzero(self.types == kind)
+                self.blocks.append((kind, own, nodes[starts[own][:, None] + np.array(self._order[kind])]))
         self.point_data = {name: data[:] for name, data in root["PointData"].items()}
         self.cell_data = {name: data[:] for name, data in root["CellData"].items()}
         self.units = {}
@@ -86,10 +89,22 @@ class Grid:
             result[own] = values[nodes].mean(axis=1)
         return result
 
-    def triangles(self):
-        """Triangles that cover the cells: three nodes each, for values at nodes."""
-        fans = [nodes[:, [0, i, i + 1]] for _, _, nodes in self.blocks for i in range(1, nodes.shape[1] - 1)]
-        return np.concatenate([fan.reshape(-1, 3) for fan in fans])
+    @cached_property
+    def fans(self):
+        """(triangles, cells): triangles that cover the cells, and the cell of each."""
+        triangles, cells = [np.zeros((0, 3), dtype=int)], [np.zeros(0, dtype=int)]
+        for _, own, nodes in self.blocks:
+            for i in range(1, nodes.shape[1] - 1):
+                triangles.append(nodes[:, [0, i, i + 1]])
+                cells.append(own)
+        return np.concatenate(triangles), np.concatenate(cells)
+
+    @cached_property
+    def edges(self):
+        """All edges of the cells, one row of two points each."""
+        ends = [np.stack([nodes, np.roll(nodes, -1, axis=1)], axis=-1).reshape(-1, 2) for _, _, nodes in self.blocks]
+        ends = np.sort(np.concatenate(ends), axis=1).astype(np.int64)
+        return np.column_stack(np.divmod(np.unique(ends[:, 0] * len(self.points) + ends[:, 1]), max(len(self.points), 1)))
 
     @cached_property
     def boundary(self):

@@ -17,6 +17,27 @@ CROSSED_MARK = 40.0  # per point of it
 FAR = 0.6  # per point of distance
 
 
+class Rectangle:
+    """A box in pixels, with plain numbers: thousands are compared for each picture."""
+
+    __slots__ = ("x0", "y0", "x1", "y1")
+
+    def __init__(self, x0, y0, x1, y1):
+        self.x0, self.y0, self.x1, self.y1 = float(x0), float(y0), float(x1), float(y1)
+
+    def padded(self, by):
+        return Rectangle(self.x0 - by, self.y0 - by, self.x1 + by, self.y1 + by)
+
+
+def around(centre, half):
+    """The rectangle with this centre and half size."""
+    return Rectangle(centre[0] - half[0], centre[1] - half[1], centre[0] + half[0], centre[1] + half[1])
+
+
+def area(box):
+    return (box.x1 - box.x0) * (box.y1 - box.y0)
+
+
 class LabelPlacer:
     """Finds positions for labels such that none covers another label, a mark or the line that it names.
 
@@ -31,18 +52,19 @@ class LabelPlacer:
         self.marks = np.zeros((0, 2))
         self.lines = np.zeros((0, 2))
         self.material = np.zeros((0, 2))
-        figure.canvas.draw()
-        figure.set_layout_engine("none")
+        if figure.get_layout_engine() is not None:
+            figure.draw_without_rendering()
+            figure.set_layout_engine("none")
         self.renderer = figure.canvas.get_renderer()
         self.points = figure.dpi / 72.0
         for label in (*axes.get_xticklabels(), *axes.get_yticklabels(), axes.xaxis.label, axes.yaxis.label, axes.title, axes._left_title):
             if label.get_text():
-                self.taken.append(label.get_window_extent(self.renderer).padded(3))
+                self.taken.append(Rectangle(*label.get_window_extent(self.renderer).extents).padded(3))
         if axes.get_legend():
-            self.taken.append(axes.get_legend().get_window_extent(self.renderer))
+            self.taken.append(Rectangle(*axes.get_legend().get_window_extent(self.renderer).extents))
         # Along the axes' lines.
         frame = axes.get_window_extent(self.renderer)
-        self.frame = Bbox.from_extents(frame.x0 + 2, frame.y0 + 2, frame.x1 - 2, max(axes.title.get_window_extent(self.renderer).y0, frame.y1) - 2)
+        self.frame = Rectangle(frame.x0 + 2, frame.y0 + 2, frame.x1 - 2, max(axes.title.get_window_extent(self.renderer).y0, frame.y1) - 2)
 
     def keep_visible(self, points):
         self.marks = np.vstack([self.marks, self._inside(points)])
@@ -58,20 +80,21 @@ class LabelPlacer:
     def prefer_outside(self, points):
         self.material = np.vstack([self.material, self._inside(points)])
 
-    def place(self, label, anchors, toward=None, least=0.0, centred=False, **style):
+    def place(self, label, anchors, toward=None, least=0.0, centred=False, must=False, **style):
         """Annotates one of `anchors` (data coordinates), best first, with a line to it. Returns None and leaves the label out if it would
         cover another label or a mark, or lie outside.
 
         \\param toward   directions in which the label should lie, one per anchor
         \\param least    distance in points around the anchor that stays visible
         \\param centred  tries the anchor itself first, for names of areas
+        \\param must     never leaves the label out: uses the position that covers least
         """
         artist = self.axes.annotate(label, anchors[0], (0, 0), textcoords="offset points", ha="center", va="center",
                                     arrowprops={"arrowstyle": "-", "lw": 0.7, "color": style.get("color", "black"), "shrinkA": 0,
                                                 "shrinkB": 0.25 * least + 1.0}, **style)
         size = own_extent(artist, self.renderer)
         width, height = size.width + 6, size.height + 4
-        best = None
+        best, half = None, (0.5 * width, 0.5 * height)
         for rank, anchor in enumerate(anchors):
             at = self.axes.transData.transform(anchor)
             for offset, distance in self._offsets(width, height, centred):
@@ -83,11 +106,11 @@ class LabelPlacer:
                 if best and cost >= best[0]:
                     continue
                 centre = at + offset
-                box = Bbox.from_extents(*(centre - 0.5 * np.array([width, height])), *(centre + 0.5 * np.array([width, height])))
+                box = around(centre, half)
                 cost += self._cost(box, at if distance > 0 else None, not centred, best[0] - cost if best else math.inf)
                 if best is None or cost < best[0]:
                     best = (cost, anchor, offset, box)
-        if self._hides(best[3]):
+        if not must and self._hides(best[3]):
             artist.remove()
             self.left_out.append(label)
             return None
@@ -112,7 +135,7 @@ class LabelPlacer:
         half = 0.5 * np.array([size.width + 2, size.height + 2])
         for at in [middle, *others]:
             centre = self.axes.transData.transform(at)
-            box = Bbox.from_extents(*(centre - half), *(centre + half))
+            box = around(centre, half)
             if self._cost(box, None, False) < 0.5 * COVERED_MARK:
                 artist.xy = tuple(at)
                 self.taken.append(box)
@@ -121,7 +144,7 @@ class LabelPlacer:
         return None
 
     def _hides(self, box):
-        return overlap(box, self.frame) < (1 - 1e-9) * box.width * box.height or any(overlap(box, other) > 0 for other in self.taken) or \
+        return overlap(box, self.frame) < (1 - 1e-9) * area(box) or any(overlap(box, other) > 0 for other in self.taken) or \
             bool(within(box, self.marks).any())
 
     def _offsets(self, width, height, centred):
@@ -134,10 +157,15 @@ class LabelPlacer:
                 reach = min(0.5 * width / max(abs(direction[0]), 1e-9), 0.5 * height / max(abs(direction[1]), 1e-9))
                 yield direction * (distance * self.points + reach), distance
 
+    def _covered(self, box):
+        """Number of labels that the box covers."""
+        x0, y0, x1, y1 = box.x0, box.y0, box.x1, box.y1
+        return sum([other.x0 < x1 and other.x1 > x0 and other.y0 < y1 and other.y1 > y0 for other in self.taken])
+
     def _cost(self, box, leader_from, material, limit=math.inf):
         """Cost of a label at this position; evaluation stops above `limit`, which saves most of the work."""
-        outside = 1.0 - overlap(box, self.frame) / (box.width * box.height)
-        cost = OUTSIDE * (outside if outside > 1e-9 else 0.0) + COVERED_LABEL * sum(overlap(box, other) > 0 for other in self.taken)
+        outside = 1.0 - overlap(box, self.frame) / area(box)
+        cost = OUTSIDE * (outside if outside > 1e-9 else 0.0) + COVERED_LABEL * self._covered(box)
         if cost >= limit:
             return cost
         cost += COVERED_MARK * min(np.count_nonzero(within(box, self.marks)), 10)
@@ -151,7 +179,7 @@ class LabelPlacer:
         cost += CROSSED_LABEL * sum(bool(within(other, way).any()) for other in self.taken)
         if cost >= limit or len(self.marks) == 0:
             return cost
-        bounds = Bbox.from_extents(*way.min(axis=0), *way.max(axis=0)).padded(3)
+        bounds = Rectangle(*way.min(axis=0), *way.max(axis=0)).padded(3)
         near = self.marks[within(bounds, self.marks)]
         near = near[np.hypot(*(near - leader_from).T) > 8]
         if len(near):
@@ -176,7 +204,8 @@ def own_extent(artist, renderer):
 
 
 def overlap(a, b):
-    return max(0.0, min(a.x1, b.x1) - max(a.x0, b.x0)) * max(0.0, min(a.y1, b.y1) - max(a.y0, b.y0))
+    width, height = min(a.x1, b.x1) - max(a.x0, b.x0), min(a.y1, b.y1) - max(a.y0, b.y0)
+    return width * height if width > 0 and height > 0 else 0.0
 
 
 def within(box, points):
@@ -189,7 +218,9 @@ def sampled(segments, spacing):
         return np.zeros((0, 2))
     lengths = np.hypot(*(segments[:, 1] - segments[:, 0]).T)
     parts = np.minimum(np.maximum(1, np.ceil(lengths / spacing)).astype(int), 400)
-    return np.concatenate([np.linspace(a, b, n + 1) for (a, b), n in zip(segments, parts)])
+    which = np.repeat(np.arange(len(parts)), parts + 1)
+    step = np.arange(len(which)) - np.repeat(np.cumsum(parts + 1) - (parts + 1), parts + 1)
+    return segments[which, 0] + (step / parts[which])[:, None] * (segments[which, 1] - segments[which, 0])
 
 
 def along(sides, fractions):

@@ -1,10 +1,11 @@
 """mesh.png: elements, subdomains and named sides."""
 import numpy as np
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import LineCollection
 
 from .families import families
 from .labels import LabelPlacer, along
-from .style import LINES, PALETTE, canvas, edge_style, halo, pale, shortened
+from .plane_image import image_of
+from .style import LINES, PALETTE, canvas, halo, pale, shortened
 from .words import contacts
 
 MOST_NAMED_SUBDOMAINS = 150
@@ -67,8 +68,9 @@ def mesh_figure(run):
     title = f"{run.title}: {grid.count:,} elements, {len(names)} subdomain{'s' if len(names) != 1 else ''}" + (f" {prefix}*" if prefix else "")
     figure, axes = canvas(grid.points, title, run.length_unit, room=0.14 if few else 0.05, names=run.axes)
     colours = subdomain_colours(grid)
-    axes.add_collection(PolyCollection(grid.outlines, facecolors=[colours[s] for s in grid.cell_data["Subdomain"].astype(int).tolist()],
-                                       **{"edgecolors": "#5b5b5b", **edge_style(grid.count, 0.12)}))
+    image = image_of(axes, grid)
+    image.colour(np.array([colours.get(s, (1, 1, 1)) for s in range(max(colours) + 1)])[grid.cell_data["Subdomain"].astype(int)])
+    image.edges(grid.points, colors="#00000038")
     placer = LabelPlacer(figure, axes)
     placer.prefer_outside(grid.centroids[::max(1, grid.count // 4000)])
     size = np.ptp(grid.points[:, :2], axis=0).max()

@@ -1,7 +1,7 @@
 """All plots of a run."""
 from .contact import contact_figures
 from .curves import convergence_figure, probe_figure
-from .deformation import deformation_figure
+from .deformation import deformation_figure, is_given, seeming
 from .friction import friction_caption
 from .mesh import mesh_figure
 from .picture import Picture, note_on
@@ -52,9 +52,8 @@ def plane_pages(run, factor, zoom):
     figure, left_out = mesh_figure(run)
     yield Picture("mesh", "mesh", "Subdomains in different colours, and named sides. Subdomain names without enough space are left out." +
                   note_on(left_out), figure)
-    figure, used, drawn_in = deformation_figure(run, factor)
-    seem = "" if used == 1 else (f" Displacements are enlarged {used:g} times, so bodies may seem to overlap or separate: the true gaps are "
-                                 "in the section on contact.")
+    figure, used, limited, drawn_in = deformation_figure(run, factor)
+    seem = seeming(used, limited, is_given(run, factor))
     if drawn_in:
         seem += (" An interference, drawn or given, is not enlarged: sides that it presses apart seem to separate, although they "
                  "touch.")

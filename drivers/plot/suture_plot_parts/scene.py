@@ -2,20 +2,24 @@
 import re
 
 import numpy as np
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import LineCollection
 from matplotlib.legend_handler import HandlerBase
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.path import Path
 from matplotlib.transforms import offset_copy
 
 from .families import families, pattern
 from .labels import LabelPlacer, along
 from .mesh import inward
-from .style import LINES, LOAD, PALETTE, SUPPORT, canvas, edge_style, halo, pale, shortened, wrapped
+from .plane_image import image_of
+from .step_factors import stated
+from .style import LINES, LOAD, PALETTE, SUPPORT, canvas, halo, pale, shortened, wrapped
 from .symbols import Symbols
 from .words import conditions, contacts
 
 
+ARROW = Path([(-1, 0), (0.4, 0), (0.4, 0.35), (1, 0), (0.4, -0.35), (0.4, 0), (-1, 0)])
 NUMBER = re.compile(r"(\d+)")
 MOST_ROWS = 24
 
@@ -160,7 +164,7 @@ class Sign:
     def __init__(self, condition):
         self.colour = SUPPORT if condition.support else LOAD
         moved = condition.support and condition.direction is not None and condition.direction.any()
-        self.marker = "$\\rightarrow$" if moved or not condition.support else "^"
+        self.marker = ARROW if moved or not condition.support else "^"
         held = condition.support and condition.type == "Displacement" and condition.components == "All"
         self.fill = self.colour if held or not condition.support else "white"
 
@@ -177,9 +181,7 @@ def scene_figure(run):
     figure, axes = canvas(grid.points, f"{run.title}: loads, supports and contacts", run.length_unit, room=(0.12 + 0.012 * longest, 0.17),
                           names=run.axes)
     size = np.ptp(grid.points[:, :2], axis=0).max()
-    colours = [pale(PALETTE[i % 7]) for i in range(len(bodies))]
-    axes.add_collection(PolyCollection(grid.outlines, facecolors=[colours[b] for b in grid.cell_data["Body"].astype(int).tolist()],
-                                       **{"edgecolors": "#00000016", **edge_style(grid.count, 0.12)}))
+    image_of(axes, grid).colour(body_colours(grid))
     outline = grid.lines(grid.boundary, grid.points)
     axes.add_collection(LineCollection(outline, colors="#444444", linewidths=0.8, zorder=2))
     drawing = Drawing(run, axes)
@@ -190,7 +192,7 @@ def scene_figure(run):
         if anchors:
             named.append((label, anchors[len(anchors) // 2], SUPPORT if members[0].support else LOAD))
         handles.append(Sign(members[0]) if anchors else Patch(facecolor="none", edgecolor="none"))
-        texts.append(in_common([c.sentence(short=True) for c in members]) + ("" if anchors else " (not drawn)"))
+        texts.append(in_common([stated(run, c) for c in members]) + ("" if anchors else " (not drawn)"))
     lines = []
     for number, (label, members) in enumerate(grouped(touching, total)):
         colour = LINES[number % len(LINES)]
@@ -233,6 +235,11 @@ def scene_figure(run):
         if len(anchors):
             placer.place(shortened(label), anchors, centred=True, fontsize=9, style="italic", color="#333333", path_effects=halo(), zorder=7)
     return figure, placer.left_out
+
+
+def body_colours(grid):
+    """A pale colour for each cell, by its body."""
+    return np.array([pale(PALETTE[i % 7]) for i in range(len(grid.names["Bodies"]))])[grid.cell_data["Body"].astype(int)]
 
 
 def grouped(things, total):

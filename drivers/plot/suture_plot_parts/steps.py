@@ -1,10 +1,9 @@
 """steps.png: contact forces, states of pairs and work over the time of load steps."""
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .friction import SLIP, STICK
-from .style import GREY, LINES, PALETTE, shortened, wrapped
+from .style import GREY, LINES, PALETTE, headline, shortened, with_panels, wrapped
 
 CLOSED = "#cfe0ee"
 MOST_MARKS = 40  # largest number of steps with individual markers
@@ -17,7 +16,7 @@ def steps_figure(run):
     names, left_out = contacts(run)
     axes_named = [axis for axis in "xyz"[:run.dimension] if any(np.any(force(table, name, axis)) for name in names)]
     panels = len(axes_named) + 2
-    figure, axes = plt.subplots(panels, 1, figsize=(7.0, 1.75 * panels + 1.0), sharex=True, squeeze=False, constrained_layout=True)
+    figure, axes = with_panels(panels, 1, (7.0, 1.75 * panels + 1.0), sharex=True, squeeze=False)
     axes = axes[:, 0]
     for axis, component in zip(axes, axes_named):
         for name, colour in zip(names, LINES):
@@ -33,7 +32,7 @@ def steps_figure(run):
     axes[-1].set_xlabel("time")
     figure.align_ylabels(axes)
     count = len(table["time"])
-    figure.suptitle(wrapped(f"{run.title}: {count} load step{'s' if count != 1 else ''}{run.state_of_answer}", 85), fontsize=10, x=0.01, ha="left")
+    headline(figure, wrapped(f"{run.title}: {count} load step{'s' if count != 1 else ''}{run.state_of_answer}", 85))
     return figure, left_out
 
 

@@ -1,15 +1,19 @@
 """von_mises.png, principal_stress.png and their zooms."""
 import math
 
+import matplotlib
 import numpy as np
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
 from matplotlib.transforms import ScaledTranslation
-from matplotlib.tri import Triangulation
 
 from .labels import LabelPlacer
-from .style import COMPRESSION, TENSION, PlotError, canvas
+from .plane_image import image_of
+from .style import COMPRESSION, TENSION, PlotError, canvas, colour_bar
 from .units import round_down, scaled
 
+GROUND = (0.957, 0.957, 0.949)  # of bodies behind crosses
 ROUNDING = 1e-6  # fraction of the largest stress below which a stress counts as zero
 CALLOUT = {"fontsize": 9, "zorder": 9, "bbox": {"boxstyle": "round,pad=0.25", "fc": "white", "ec": "black", "lw": 0.5}}
 
@@ -49,9 +53,9 @@ def whole(grid):
     return low[0], high[0], low[1], high[1]
 
 
-def framed(run, window, title, extra=0.0):
+def framed(run, window, title):
     x0, x1, y0, y1 = window[:4]
-    figure, axes = canvas(np.array([[x0, y0], [x1, y1]]), title, run.length_unit, extra=extra, room=(0.02, 0.02 if len(window) > 4 else 0.08), names=run.axes)
+    figure, axes = canvas(np.array([[x0, y0], [x1, y1]]), title, run.length_unit, extra=0.9, room=(0.02, 0.02 if len(window) > 4 else 0.08), names=run.axes)
     return figure, axes
 
 
@@ -90,21 +94,11 @@ def von_mises_figure(run, region=None):
     top = largest[0] if largest else known.max(initial=0.0)
     factor, unit = scaled(run.stress_unit, top)
     title = f"{run.title}: von Mises stress" + (f" {region[4]}" if region else "") + run.state
-    figure, axes = framed(run, window, title, extra=0.9)
-    limits = {"cmap": "viridis", "vmin": 0.0, "vmax": factor * top or 1.0}
-    if nodal is not None:
-        triangles = grid.triangles()
-        triangles = triangles[np.isfinite(nodal[triangles]).all(axis=1)]
-        drawn = axes.tripcolor(Triangulation(*grid.points[:, :2].T, triangles), np.nan_to_num(factor * nodal), shading="gouraud", rasterized=True, **limits)
-    else:
-        drawn = PolyCollection(grid.outlines, array=factor * values, edgecolors="face", linewidths=0.35, cmap=limits["cmap"])
-        drawn.set_clim(limits["vmin"], limits["vmax"])
-        axes.add_collection(drawn)
-    axes.set_xlim(*axes.get_xlim())
+    figure, axes = framed(run, window, title)
+    high = factor * top or 1.0
+    image_of(axes, grid).colour_by(factor * values, nodal is not None, 0.0, high, matplotlib.colormaps["viridis"])
     edges = outline(run, axes, zorder=4)
-    bar = figure.colorbar(drawn, ax=axes, shrink=0.8, pad=0.02)
-    bar.set_label(f"von Mises stress [{unit}]")
-    bar.outline.set_linewidth(0.4)
+    colour_bar(axes, ScalarMappable(Normalize(0.0, high), "viridis"), f"von Mises stress [{unit}]")
     if largest and inside(window, largest[1][None])[0]:
         placer = LabelPlacer(figure, axes)
         placer.prefer_outside(visible(run, window))
@@ -139,7 +133,7 @@ def crosses_figure(run, region=None):
     reach = 0.5 * spacing / typical
     title = f"{run.title}: principal stresses" + (f" {region[4]}" if region else "") + run.state
     figure, axes = framed(run, window, title)
-    axes.add_collection(PolyCollection(grid.outlines, facecolors="#f4f4f2", edgecolors="none", zorder=0))
+    image_of(axes, grid).colour(GROUND)
     edges = outline(run, axes, zorder=1)
     bars_of = {}
     for which, direction in ((0, "PrincipalDirection1"), (1, "PrincipalDirection2")):

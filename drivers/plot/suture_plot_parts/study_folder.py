@@ -3,9 +3,6 @@ import re
 import sys
 from pathlib import Path
 
-from .study import Table, draw
-from .study_report import study_report
-
 
 def is_study(folder):
     """True for the folder of a study; a folder with summary.json is the one of a run."""
@@ -15,6 +12,8 @@ def is_study(folder):
 
 def plot_study(program, folder, quiet):
     """Writes one picture per plot of the study, and report.html. Returns the exit code; errors name `program`."""
+    from .study import Table, draw  # only for studies, since pyplot starts slowly
+    from .study_report import study_report
     folder = Path(folder)
     try:
         table = Table(folder / "study.json")

@@ -10,15 +10,16 @@ class Symbols:
         self.axes, self.size = axes, size
         self.segments = []
 
-    def lines(self, segments, colour, width=1.0):
+    def lines(self, segments, colour, width=1.0, linestyles="-"):
         segments = np.asarray(segments, dtype=float).reshape(-1, 2, 2)
-        self.axes.add_collection(LineCollection(segments, colors=[colour], linewidths=width, capstyle="round", zorder=6, gid="sign"))
+        self.axes.add_collection(LineCollection(segments, colors=[colour], linewidths=width, capstyle="round", zorder=6, gid="sign",
+                                                linestyles=linestyles))
         self.segments.append(segments)
 
-    def polygons(self, corners, colour, filled):
+    def polygons(self, corners, colour, filled, linestyles="-"):
         corners = np.asarray(corners, dtype=float)
         self.axes.add_collection(PolyCollection(corners, facecolors=colour if filled else "white", edgecolors=colour, linewidths=0.9, zorder=6,
-                                            gid="sign"))
+                                                gid="sign", linestyles=linestyles))
         self.segments.append(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 2))
 
     def arrows(self, tails, tips, colour, filled=True):
@@ -30,35 +31,35 @@ class Symbols:
         self.lines(np.stack([tails, neck], axis=1), colour, 1.1)
         self.polygons(np.stack([tips, neck + 0.15 * self.size * across, neck - 0.15 * self.size * across], axis=1), colour, filled)
 
-    def rollers(self, points, outward, colour):
+    def rollers(self, points, outward, colour, **style):
         """A triangle with its tip on the side, and the plane on which it rolls."""
         across = np.column_stack([-outward[:, 1], outward[:, 0]])
         s = self.size
         base = points + 0.5 * s * outward
-        self.polygons(np.stack([points, base + 0.27 * s * across, base - 0.27 * s * across], axis=1), colour, False)
+        self.polygons(np.stack([points, base + 0.27 * s * across, base - 0.27 * s * across], axis=1), colour, False, **style)
         rail = points + 0.64 * s * outward
-        self.lines(np.stack([rail + 0.32 * s * across, rail - 0.32 * s * across], axis=1), colour)
+        self.lines(np.stack([rail + 0.32 * s * across, rail - 0.32 * s * across], axis=1), colour, **style)
 
-    def hatches(self, points, outward, colour):
+    def hatches(self, points, outward, colour, **style):
         """A triangle on hatched ground: held in all directions."""
         across = np.column_stack([-outward[:, 1], outward[:, 0]])
         s = self.size
         base = points + 0.5 * s * outward
-        self.polygons(np.stack([points, base + 0.27 * s * across, base - 0.27 * s * across], axis=1), colour, True)
-        self.lines(np.stack([base + 0.36 * s * across, base - 0.36 * s * across], axis=1), colour)
+        self.polygons(np.stack([points, base + 0.27 * s * across, base - 0.27 * s * across], axis=1), colour, True, **style)
+        self.lines(np.stack([base + 0.36 * s * across, base - 0.36 * s * across], axis=1), colour, **style)
         for shift in (-0.3, -0.1, 0.1, 0.3):
             root = base + shift * s * across
-            self.lines(np.stack([root, root + 0.2 * s * outward - 0.16 * s * across], axis=1), colour, 0.8)
+            self.lines(np.stack([root, root + 0.2 * s * outward - 0.16 * s * across], axis=1), colour, 0.8, **style)
 
-    def springs(self, points, outward, colour):
+    def springs(self, points, outward, colour, **style):
         across = np.column_stack([-outward[:, 1], outward[:, 0]])
         s = self.size
         reach = (0.0, 0.12, 0.2, 0.35, 0.5, 0.65, 0.72, 0.85)
         swing = (0.0, 0.0, 0.16, -0.16, 0.16, -0.16, 0.0, 0.0)
         corners = [points + r * s * outward + w * s * across for r, w in zip(reach, swing)]
-        self.lines(np.concatenate([np.stack(pair, axis=1) for pair in zip(corners[:-1], corners[1:])]), colour)
+        self.lines(np.concatenate([np.stack(pair, axis=1) for pair in zip(corners[:-1], corners[1:])]), colour, **style)
         ground = points + 0.85 * s * outward
-        self.lines(np.stack([ground + 0.3 * s * across, ground - 0.3 * s * across], axis=1), colour)
+        self.lines(np.stack([ground + 0.3 * s * across, ground - 0.3 * s * across], axis=1), colour, **style)
 
     def surface(self, points, into, colour):
         """Hatched edge of a rigid obstacle; `into`: unit vectors into it."""

@@ -94,12 +94,15 @@ class Process {
     if (id_ <= 0) return ended_;
     int status = 0;
     bool killed = false;
-    for (int i = 0; waitpid(id_, &status, WNOHANG) == 0; ++i) {
-      if (i == 100) {
+    useconds_t pause = 200, waited = 0;  // [microseconds]; it usually ends at once
+    while (waitpid(id_, &status, WNOHANG) == 0) {
+      if (!killed && waited >= 1000000) {
         killed = true;
         kill(-id_, SIGKILL);
       }
-      usleep(10000);
+      usleep(pause);
+      waited += pause;
+      pause = std::min<useconds_t>(2 * pause, 10000);
     }
     kill(-id_, SIGKILL);
     id_ = 0;

@@ -1,5 +1,5 @@
 """contact.png, contact_2.png, ...: pressure and gap on each contact surface; with friction also the tangential traction."""
-import matplotlib.pyplot as plt
+import matplotlib
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
@@ -10,12 +10,13 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
 from ..friction import TRACTION_COLOUR
-from ..style import GAP_COLOUR, PRESSURE_COLOUR, shortened, wrapped
+from ..samples import show
+from ..style import GAP_COLOUR, PRESSURE_COLOUR, headline, new_figure, shortened, wrapped
 from ..units import scaled
 from . import level
 from .contact_surface import Chart, contact_surfaces
-from .image import FINER, coloured, picture
-from .page import bare, show
+from .image import coloured, picture
+from .page import bare
 from .raster import Raster
 from .ruler import axes_and_scale_beside
 
@@ -26,6 +27,8 @@ USED = LinearSegmentedColormap.from_list("used", ["#e3f1ea", "#8cc9ab", "#00694D
 PLAIN, STRIPE = np.array([0.93, 0.93, 0.93]), np.array([0.72, 0.72, 0.72])
 WIDTH = 10.0  # inches
 HIGHEST = 9.8  # inches of all panels of a page
+LEFT, ABOVE = 0.75, 0.42  # inches beside and above a panel
+BETWEEN = 0.35  # inches between panels side by side
 FLAT = 0.4  # ratio of height to width below which both panels have the full width
 
 
@@ -64,17 +67,18 @@ def contact_figures(run):
 
 
 def contact_figure(run, page, part):
-    ratios = [share for panels in page for share in [panels.height / panels.rows] * panels.rows]
-    figure = plt.figure(figsize=(WIDTH, sum(ratios) + 0.5), constrained_layout=True)
-    figure.suptitle(wrapped(f"{run.title}: contact surfaces{part}{run.state}", 130), fontsize=10, x=0.01, ha="left")
-    places = figure.add_gridspec(len(ratios), 2, height_ratios=ratios)
-    row = 0
+    height = sum(panels.height for panels in page) + 0.5
+    figure = new_figure(WIDTH + BETWEEN, height)
+    headline(figure, wrapped(f"{run.title}: contact surfaces{part}{run.state}", 130))
+    top = height - 0.5
     for panels in page:
-        if panels.stacked:
-            axes = [figure.add_subplot(places[row + k, :]) for k in range(panels.rows)]
-        else:
-            axes = [figure.add_subplot(places[row + k // 2, k % 2]) for k in range(2 * panels.rows)]
-        row += panels.rows
+        each = 1 if panels.stacked else 2  # panels side by side
+        axes = []
+        for k in range(panels.rows * each):
+            row, column = divmod(k, each)
+            place = [LEFT + column * (0.5 * WIDTH + BETWEEN), top - row * panels.height / panels.rows - ABOVE - panels.panel, panels.width, panels.panel]
+            axes.append(figure.add_axes(np.array(place) / [WIDTH + BETWEEN, height, WIDTH + BETWEEN, height]))
+        top -= panels.height
         draw(run, panels, axes)
     handles = [Patch(facecolor=PLAIN, edgecolor=STRIPE, hatch="////", lw=0, label="open: no pressure"),
                Patch(facecolor=PLAIN, lw=0, label="closed: no gap"),
@@ -99,26 +103,38 @@ def draw(run, panels, axes):
         return
     panel(run, panels, axes[2], raster, (surface.tangential, own, pairs_closed), closed, TRACTIONS,
           ("tangential traction", run.contact.units["TangentialTraction"], f"{surface.sticking} stick, {surface.slipping} slip", True))
-    panel(run, panels, axes[3], raster, (surface.used, own, pairs_closed), closed, USED, ("traction over its bound", "", "friction mobilised", True))
+    panel(run, panels, axes[3], raster, (surface.used, own, pairs_closed), closed, USED, ("traction over its bound", "", "friction mobilised", True),
+          surface.bounded)
     for each in axes[2:]:
         for colour, width in (("black", 2.4), ("white", 1.1)):
             border_between(each, panels, surface.sticks, colors=colour, linewidths=width, capstyle="round")
 
 
-def panel(run, panels, axes, raster, of, coloured_part, colours, words):
-    """One quantity on the surface. \param of  values, corners of the triangles, pairs whose largest value limits the colour scale"""
+def panel(run, panels, axes, raster, of, coloured_part, colours, words, weight=None):
+    """One quantity on the surface. \\param of  values, corners of the triangles, pairs whose largest value limits the colour scale
+
+    \\param weight  zero for pairs without a value, which do not take part in the interpolation; default: all take part
+    """
     (values, own, pairs), (name, unit, above, striped) = of, words
     top = max(np.nanmax(values[:panels.surface.pairs][pairs], initial=0.0), 0.0)
     factor, unit = scaled(unit, top)
-    found = coloured(raster.interpolate(factor * values[own]), 0.0, factor * top or 1.0, colours)
+    shown = raster.interpolate(factor * values[own]) if weight is None else among_valued(raster, factor * values, weight, own)
+    found = coloured(shown, 0.0, factor * top or 1.0, colours)
     found[~coloured_part] = ground(raster, ~coloured_part, striped)
     axes.set(xlim=(panels.low[0], panels.high[0]), ylim=(panels.low[1], panels.high[1]), aspect="equal")
-    axes.set_title(f"{above}\n{name}, " + (f"largest {factor * top:.4g} {unit}".rstrip() if top else "none"), loc="left", fontsize=9)
+    axes.set_title(f"{above}\n{name}, " + (f"largest {factor * top:.4g} {unit}".rstrip() if top else "none"), loc="left", fontsize=9, y=1.0)
     show(axes, picture(raster, found))
     lines(axes, panels)
     ruled(axes, panels.chart, run.length_unit)
     if top:
         bar(panels, axes, ScalarMappable(Normalize(0.0, factor * top), colours), (f"{name} [{unit}]" if panels.panel > 1.2 else f"[{unit}]") if unit else "")
+
+
+def among_valued(raster, values, weight, own):
+    """The values at the samples, interpolated between the corners that have one."""
+    share = raster.interpolate(weight[own])
+    found = raster.interpolate((np.nan_to_num(values) * weight)[own]) / np.maximum(share, 1e-12)
+    return np.where(share > 1e-6, found, np.nan)
 
 
 def bar(panels, axes, colours, label):
@@ -132,8 +148,8 @@ def bar(panels, axes, colours, label):
 
 def raster_for(panels, order):
     """The chart's triangles, rendered with hidden surfaces removed."""
-    columns = round(plt.rcParams["savefig.dpi"] * panels.width)
-    raster = Raster(panels.low, panels.high, (FINER * max(1, round(plt.rcParams["savefig.dpi"] * panels.panel)), FINER * columns))
+    columns = round(matplotlib.rcParams["savefig.dpi"] * panels.width)
+    raster = Raster(panels.low, panels.high, (max(1, round(matplotlib.rcParams["savefig.dpi"] * panels.panel)), columns))
     corners = np.take_along_axis(panels.chart.flat, order[:, :, None], axis=1).reshape(-1, 2)
     raster.draw(corners, np.take_along_axis(panels.chart.near, order, axis=1).reshape(-1), np.arange(len(corners)).reshape(-1, 3))
     return raster
@@ -142,7 +158,7 @@ def raster_for(panels, order):
 def ground(raster, some, striped):
     """Grey at some of the samples, with diagonal stripes where pairs are open."""
     row, column = np.divmod(raster.samples[some], raster.shape[1])
-    return np.where((striped & ((row + column) % (9 * FINER) < 2 * FINER))[:, None], STRIPE, PLAIN)
+    return np.where((striped & ((row + column) % 9 < 2))[:, None], STRIPE, PLAIN)
 
 
 def anticlockwise(flat):

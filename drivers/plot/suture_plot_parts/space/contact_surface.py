@@ -6,6 +6,8 @@ from .cells import FACES, with_centres
 from .view import turned_to_eye, view_from
 
 ONE_SIDE = 0.5  # length of the mean normal above which a surface is viewed from one side
+BENT = 0.9  # length of the mean normal below which a part of a cylinder is unrolled: arcs of more than 90 degrees
+CIRCLE = 0.02  # fraction of the radius by which points of a cylinder are off its circle
 ROUND = 0.03  # variance of the normals along an axis below which a surface is a cylinder about it
 ALIGNED = np.cos(np.radians(4.0))  # a view closer to an axis is aligned with it
 
@@ -37,7 +39,9 @@ class ContactSurface:
             size, bound = np.linalg.norm(grid.point_data["TangentialTraction"][own], axis=1), grid.point_data["FrictionBound"][own]
             used = np.divide(size, bound, out=np.zeros(len(own)), where=bound > 0)
             stick = grid.point_data["Stick"][own]
-            self.tangential, self.used, self.sticks = (with_centres(values, centres) for values in (size, used, (stick == 1).astype(float)))
+            bounded = grid.point_data["Active"][own] * (bound > 0)  # pairs whose mobilisation is defined
+            self.tangential, self.used, self.sticks, self.bounded = (with_centres(values.astype(float), centres)
+                                                                     for values in (size, used, stick == 1, bounded))
             self.sticking, self.slipping = np.count_nonzero(stick == 1), np.count_nonzero(stick == 0)
 
     def border(self):
@@ -76,7 +80,7 @@ class Chart:
         mean = weight @ normal
         spread, directions = np.linalg.eigh((normal * weight[:, None]).T @ normal)
         self.view = self.names = None
-        if np.linalg.norm(mean) < ONE_SIDE and spread[0] < ROUND:
+        if spread[0] < ROUND and (np.linalg.norm(mean) < ONE_SIDE or np.linalg.norm(mean) < BENT and is_round(points, directions[:, 0])):
             self._unroll(surface, directions[:, 0])
             return
         along = mean if np.linalg.norm(mean) >= ONE_SIDE else surface.normal[np.argmax(np.nan_to_num(surface.pressure))]
@@ -89,10 +93,8 @@ class Chart:
         axis = turned_to_eye(aligned(axis))
         view = view_from(axis)
         flat = view.flat(surface.points)
-        # The circle through the points: x^2 + y^2 = 2 a x + 2 b y + c.
-        fitted = np.linalg.lstsq(np.column_stack([2 * flat, np.ones(len(flat))]), (flat**2).sum(axis=1), rcond=None)[0]
-        radius = np.sqrt(max(fitted[2] + fitted[:2] @ fitted[:2], 0.0))
-        x, y = (flat - fitted[:2]).T
+        centre, radius = circle(flat)
+        x, y = (flat - centre).T
         peak = np.argmax(np.nan_to_num(surface.pressure))
         angle = np.angle((x + 1j * y) / (x[peak] + 1j * y[peak]))[surface.triangles]  # the cut is opposite to the largest pressure
         last = angle[:, 2:]  # centre of a quadrilateral, all of whose triangles lie on one side of the cut
@@ -102,6 +104,21 @@ class Chart:
         at = np.abs(axis).max() > 1 - 1e-9
         self.names = ("arc length", "xyz"[np.argmax(np.abs(axis))] if at else "along the axis")
         self.words = ", unrolled; 0: largest pressure"
+
+
+def circle(flat):
+    """(centre, radius) of the circle through the points: x^2 + y^2 = 2 a x + 2 b y + c."""
+    middle = flat.mean(axis=0)
+    shifted = flat - middle
+    fitted = np.linalg.lstsq(np.column_stack([2 * shifted, np.ones(len(flat))]), (shifted**2).sum(axis=1), rcond=None)[0]
+    return middle + fitted[:2], np.sqrt(max(fitted[2] + fitted[:2] @ fitted[:2], 0.0))
+
+
+def is_round(points, axis):
+    """True if the points lie on a cylinder about the axis."""
+    flat = view_from(axis).flat(points)
+    centre, radius = circle(flat)
+    return bool(np.abs(np.hypot(*(flat - centre).T) - radius).max() < CIRCLE * radius)
 
 
 def aligned(direction):

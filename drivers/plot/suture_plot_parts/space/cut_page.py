@@ -1,19 +1,22 @@
 """von_mises_cut.png: the von Mises stress in a plane section of the undeformed bodies."""
 import matplotlib
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 from matplotlib.transforms import ScaledTranslation
 
 from ..stresses import CALLOUT
-from ..style import TENSION, PlotError, canvas
+from ..samples import show
+from ..style import TENSION, PlotError, canvas, colour_bar
 from ..units import scaled
 from .contact_surface import contact_surfaces
 from .cut import Cut
 from .image import coloured, picture
 from .outside import stress
-from .page import BESIDE, colour_bar, placer_on, raster_of, ring, show
+from .page import BESIDE, placer_on, raster_of, ring
 
 CLOSED, OPEN = TENSION, "white"
 
@@ -30,11 +33,11 @@ def cut_figure(scene, plane):
     corners = cut.flat.reshape(-1, 2)
     title = f"{run.title}: von Mises stress on the plane {words}, largest {factor * top:.4g} {unit}{run.state}"
     figure, axes = canvas(corners, title, run.length_unit, extra=BESIDE, room=0.05, names=plane.names)
-    raster = raster_of(figure, axes)
+    raster = raster_of(axes)
     raster.draw(corners, np.zeros(len(corners)), np.arange(len(corners)).reshape(-1, 3))
     colours = matplotlib.colormaps["viridis"]
     show(axes, picture(raster, coloured(raster.interpolate(factor * found), 0.0, factor * top or 1.0, colours)))
-    colour_bar(figure, axes, 0.0, factor * top or 1.0, colours, f"von Mises stress [{unit}]")
+    colour_bar(axes, ScalarMappable(Normalize(0.0, factor * top or 1.0), colours), f"von Mises stress [{unit}]")
     outline, _ = cut.lines(scene.points, scene.surface.triangles)
     axes.add_collection(LineCollection(outline, colors="black", linewidths=0.8, capstyle="round", zorder=4))
     touching = contact_lines(run, axes, cut)

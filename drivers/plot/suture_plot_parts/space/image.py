@@ -1,7 +1,6 @@
 """Colours of a raster's samples, and the resulting image."""
 import numpy as np
 
-FINER = 2  # samples along each side of a pixel
 LIGHT = np.array([-0.2, 0.35, 1.0]) / np.linalg.norm([-0.2, 0.35, 1.0])  # to the right, upward, towards the viewer
 AMBIENT = 0.76
 SMOOTH = np.cos(np.radians(40.0))  # normals that differ by less belong to one smooth surface
@@ -36,14 +35,10 @@ def coloured(values, low, high, colours):
 
 
 def picture(raster, colours, light=None):
-    """The image as red, green, blue and opacity; each pixel is the mean of its samples. `colours`: at the raster's samples."""
+    """The image as bytes of red, green, blue and opacity, the lowest row first. `colours`: at the raster's samples."""
+    image = np.zeros((*raster.shape, 4), dtype=np.uint8)
     bytes4 = np.full((len(colours), 4), 255, dtype=np.uint8)
-    bytes4[:, :3] = colours * (255 if light is None else 255 * light[:, None]) + 0.5
-    fine = np.zeros(raster.shape[0] * raster.shape[1], dtype=np.uint32)
-    fine[raster.samples] = bytes4.view(np.uint32)[:, 0]
-    fine = fine.view(np.uint8).reshape(raster.shape[0] // FINER, FINER, raster.shape[1] // FINER, FINER, 4)
-    total = sum(fine[:, i, :, j].astype(np.uint16) for i in range(FINER) for j in range(FINER)).astype(np.float32)
-    opacity = total[:, :, 3:]
-    total[:, :, :3] /= np.maximum(opacity, 1)
-    total[:, :, 3:] /= 255 * FINER**2
-    return total
+    shade = np.float32(255.0) if light is None else (255 * light).astype(np.float32)[:, None]
+    bytes4[:, :3] = np.asarray(colours, dtype=np.float32) * shade + np.float32(0.5)
+    image.view(np.uint32).reshape(-1)[raster.samples] = bytes4.view(np.uint32)[:, 0]
+    return image

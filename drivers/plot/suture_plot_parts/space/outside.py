@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.lines import Line2D
 
-from ..deformation import has_interference
+from ..deformation import has_interference, in_words
 from ..mesh import MOST_NAMED_SUBDOMAINS, short_names, subdomain_colours
 from ..style import COMPRESSION, TENSION, halo, shortened
 from ..units import scaled
@@ -20,7 +20,8 @@ class Scene:
     def __init__(self, run, surface, factor, view):
         self.run, self.surface, self.factor, self.view = run, surface, factor, view
         self.points = surface.at(run.fields.points)
-        self.moved = self.points + factor * surface.at(run.fields.point_data["Displacement"])
+        moved = run.fields.point_data.get("Displacement")  # none before the scene is solved
+        self.moved = self.points if moved is None else self.points + factor * surface.at(moved)
         self.creases = surface.edges[surface.creases()]
         # Visible edges of the undeformed and the deformed bodies.
         self.edges = {moved: np.unique(np.vstack([self.creases, surface.contours(points, view.toward)]), axis=0)
@@ -32,7 +33,7 @@ class Scene:
         reach, points = (np.vstack([self.points, self.moved]), self.moved) if moved else (self.points, self.points)
         page = Page(self.run, self.view, reach, self.title(what), room=0.05 if moved else 0.09)
         if moved not in self._seen:
-            self._seen[moved] = Seen(self.view, points, self.surface.triangles, raster_of(page.figure, page.axes))
+            self._seen[moved] = Seen(self.view, points, self.surface.triangles, raster_of(page.axes))
         page.draw(self._seen[moved])
         return page
 
@@ -116,7 +117,7 @@ def deformation_figure(scene):
     largest = np.linalg.norm(u, axis=1).max()
     factor, unit = scaled(run.length_unit, largest)
     drawn_in = scene.factor != 1 and has_interference(run)
-    page = scene.page(f"deformation, enlarged {scene.factor:g} times{' (interference is not)' if drawn_in else ''}")
+    page = scene.page(f"deformation, {in_words(scene.factor, drawn_in)}")
     page.colour_by(factor * scene.surface.at(np.linalg.norm(u, axis=1)), 0.0, factor * largest or 1.0, matplotlib.colormaps["viridis"],
                    f"|u| [{unit}], largest {factor * largest:.4g}")
     before = {"colors": "#8a8a8a", "linewidths": 0.9, "linestyles": (0, (4, 2))}

@@ -1,5 +1,4 @@
 """A page with 3D bodies: image, visible lines, axes, scale, colours."""
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
@@ -8,8 +7,9 @@ from matplotlib.transforms import ScaledTranslation
 
 from ..labels import LabelPlacer
 from ..stresses import CALLOUT
-from ..style import canvas, fitted
-from .image import FINER, brightness, coloured, picture
+from ..samples import Samples, show
+from ..style import box_in_pixels, canvas, colour_bar, fitted
+from .image import brightness, coloured, picture
 from .raster import Raster, visible_parts
 from .ruler import axes_and_scale
 from .surface import normals
@@ -25,7 +25,7 @@ class Seen:
         self.view, self.points, self.triangles, self.raster = view, points, triangles, raster
         raster.draw(view.flat(points), view.nearness(points), triangles)
         self.light = raster.interpolate(brightness(view, points, triangles, normals(points, triangles)))
-        self.slack = 3.0 / raster.scale[0]  # points closer to a surface lie on it
+        self.slack = 2.0 / raster.scale[0]  # points closer to a surface lie on it
 
     def hides(self, point):
         return bool(self.raster.hidden(self.view.flat(point[None]), self.view.nearness(point[None]), self.slack)[0])
@@ -46,7 +46,7 @@ class Page:
         axes_and_scale(self.figure, self.axes, view, run.length_unit)
 
     def retitle(self, title):
-        self.axes.set_title(fitted(self.figure, title, self.figure.get_figwidth() - BESIDE - 1.0), loc="left")
+        self.axes.set_title(fitted(self.figure, title, self.figure.get_figwidth() - BESIDE - 1.0), loc="left", y=1.0)
 
     def draw(self, seen):
         """Draws the bodies; `seen` belongs to this page's frame."""
@@ -61,7 +61,7 @@ class Page:
         seen = self.seen
         found = seen.raster.interpolate(values[seen.triangles]) if len(values) == len(seen.points) else values[seen.raster.shown]
         show(self.axes, picture(seen.raster, coloured(found, low, high, colours), seen.light))
-        colour_bar(self.figure, self.axes, low, high, colours, label)
+        colour_bar(self.axes, ScalarMappable(Normalize(low, high), colours), label)
 
     def lines(self, points, edges, **style):
         """Draws the visible parts of edges."""
@@ -87,10 +87,11 @@ class Page:
 
 def placer_on(figure, axes, raster):
     """A placer of labels outside the image content, if there is space."""
-    for image in axes.images:
+    images = axes.findobj(Samples, include_self=False)
+    for image in images:
         image.set_visible(False)  # saves the time to draw it
     placer = LabelPlacer(figure, axes)
-    for image in axes.images:
+    for image in images:
         image.set_visible(True)
     placer.prefer_outside(raster.places(slice(None, None, max(1, len(raster.samples) // 3000))))
     return placer
@@ -101,26 +102,10 @@ def bare(axes):
     axes.set_axis_off()
 
 
-def raster_of(figure, axes, extra=BESIDE):
-    """Samples for the region of the axes, at the resolution of the saved page."""
+def raster_of(axes):
+    """Samples for the region of the axes, one per pixel of the saved page."""
     (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
-    wide, high = figure.get_figwidth() - extra - 1.0, figure.get_figheight() - 1.1
-    pixels = plt.rcParams["savefig.dpi"] * min(wide / (x1 - x0), high / (y1 - y0))  # per length
-    return Raster((x0, y0), (x1, y1), [FINER * max(1, round(pixels * reach)) for reach in (y1 - y0, x1 - x0)])
-
-
-def show(axes, image):
-    (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
-    axes.imshow(image, extent=(x0, x1, y0, y1), origin="lower", interpolation="bilinear", zorder=1, aspect="equal")
-    axes.set_xlim(x0, x1)
-    axes.set_ylim(y0, y1)
-
-
-def colour_bar(figure, axes, low, high, colours, label, **more):
-    bar = figure.colorbar(ScalarMappable(Normalize(low, high), colours), ax=axes, **{"shrink": 0.8, "pad": 0.02, **more})
-    bar.set_label(label)
-    bar.outline.set_linewidth(0.4)
-    return bar
+    return Raster((x0, y0), (x1, y1), [max(1, round(pixels)) for pixels in box_in_pixels(axes)[::-1]])
 
 
 def ring(axes, placer, place, dashed=False):

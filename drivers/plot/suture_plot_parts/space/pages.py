@@ -1,5 +1,6 @@
 """All plots of a 3D run, with their captions."""
-from ..deformation import enlargement
+from ..deformation import is_given, seeming
+from ..enlarged import enlargement
 from ..friction import has_friction
 from ..picture import Picture, note_on
 from ..stresses import taken_at
@@ -9,21 +10,25 @@ from .cut import chosen_plane
 from .cut_page import cut_figure
 from .outside import Scene, deformation_figure, mesh_figure, principal_figure, von_mises_figure
 from .scene_page import scene_figure
+from .gaps import gaps_of_surface
+from .seen_from import chosen_view
 from .surface import Surface
-from .view import DEFAULT, view_from
+from .view import view_from
 
 
 def pages_in_space(run, factor, view, cut):
     """Yields each plot as soon as it is drawn. \\param view, cut  direction towards the viewer, plane as (axis, value); None: default"""
     plane = chosen_plane(run, cut)  # first, since it may be invalid
-    scene = Scene(run, Surface(run.fields), enlargement(run, factor), view_from(view or DEFAULT))
+    surface = Surface(run.fields)
+    used, limited = enlargement(run, factor, lambda: gaps_of_surface(surface.at(run.fields.points), surface.at(run.fields.point_data["Displacement"]),
+                                                                     surface.triangles))
+    scene = Scene(run, surface, used, view_from(view or chosen_view(run, surface)))
     figure, left_out = scene_figure(scene)
     yield Picture("scene", "mesh", "Orange: surfaces of loads. Green: surfaces of supports. Outlines: contact surfaces, dashed where "
                   "bodies hide them. The length of arrows has no meaning." + note_on(left_out), figure)
     figure, left_out = mesh_figure(scene)
     yield Picture("mesh", "mesh", "Subdomains in different colours, and the sides of the elements." + note_on(left_out), figure)
-    seem = "" if scene.factor == 1 else (f" Displacements are enlarged {scene.factor:g} times, so bodies may seem to overlap or "
-                                         "separate: the true gaps are in the section on contact.")
+    seem = seeming(used, limited, is_given(run, factor))
     figure, drawn_in = deformation_figure(scene)
     touch = " An interference, drawn or given, is not enlarged." if drawn_in else ""
     yield Picture("deformation", "deformation", "Deformed bodies, coloured by the norm of the displacement; dashed: undeformed." + seem +

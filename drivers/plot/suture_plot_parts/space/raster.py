@@ -14,16 +14,17 @@ class Raster:
     def __init__(self, low, high, shape):
         self.low, self.shape = np.array(low, dtype=float), tuple(shape)
         self.scale = np.array([shape[1], shape[0]]) / (np.array(high) - self.low)  # samples per length
-        self.near = np.full(shape, -np.inf, dtype=np.float32)
-        self.triangle = np.full(shape, -1, dtype=np.int32)
+        self.near = self.triangle = None
         self.corners = np.zeros((0, 3, 2))  # of all triangles, in samples
-        self._seen()
+        self.samples = self.shown = np.zeros(0, dtype=int)
+        self._x = self._y = np.zeros(0)
 
     def _seen(self):
         self.samples = np.flatnonzero(self.triangle.reshape(-1) >= 0)
         self.shown = self.triangle.reshape(-1)[self.samples]
-        row, column = np.divmod(self.samples.astype(np.int32), np.int32(self.shape[1]))
-        self._x, self._y = column + 0.5, row + 0.5
+        number, columns = self.samples.astype(np.int32), np.int32(self.shape[1])
+        row = number // columns
+        self._x, self._y = (number - row * columns) + 0.5, row + 0.5
 
     def in_samples(self, flat):
         """Converts plot coordinates to samples; the centre of the first sample is at 0.5."""
@@ -34,10 +35,22 @@ class Raster:
         return np.column_stack([self._x[some], self._y[some]]) / self.scale + self.low
 
     def draw(self, flat, nearness, triangles):
-        """Adds triangles; only anticlockwise ones are visible. Of equally near triangles the last one is visible."""
+        """Adds triangles; only anticlockwise ones are visible. Of equally near triangles the last one is visible.
+
+        \\param nearness  None: the triangles lie in one plane and cover nothing, which saves half of the time
+        """
+        if self.triangle is None:
+            self.near = None if nearness is None else np.full(self.shape, -np.inf, dtype=np.float32)
+            self.triangle = np.full(self.shape, -1, dtype=np.int32)
         first, corners = len(self.corners), self.in_samples(flat)[triangles]
         self.corners = np.concatenate([self.corners, corners])
-        which, row, start, length = self._spans(corners)
+        which, row, start, length = self.spans(corners)
+        if nearness is None:
+            begins = row * self.shape[1] + start - (np.cumsum(length) - length)
+            place = np.repeat(begins, length) + np.arange(length.sum())
+            self.triangle.reshape(-1)[place] = np.repeat((which + first).astype(np.int32), length)
+            self._seen()
+            return
         p, q, value = planes(corners, nearness[triangles])
         base = (value + p * (0.5 - corners[:, 0, 0]) - q * corners[:, 0, 1])[which] + p[which] * start + q[which] * (row + 0.5)
         slope, place = p[which], row * self.shape[1] + start
@@ -52,6 +65,22 @@ class Raster:
             at = to
         self._seen()
 
+    def resampled(self, low, high, shape):
+        """The same triangles in another region at about the same scale: each sample shows the triangle of the nearest sample here."""
+        other = Raster(low, high, shape)
+        columns, rows = (np.floor(((np.arange(count) + 0.5) / scale + start - own) * own_scale).astype(int)
+                         for count, scale, start, own, own_scale in zip(shape[::-1], other.scale, other.low, self.low, self.scale))
+        inside_rows, inside = (rows >= 0) & (rows < self.shape[0]), (columns >= 0) & (columns < self.shape[1])
+        other.triangle = np.full(shape, -1, dtype=np.int32)
+        found = np.flatnonzero(inside_rows)
+        if len(found) and inside.any():
+            part = np.flatnonzero(inside)
+            other.triangle[found[0]:found[-1] + 1, part[0]:part[-1] + 1] = self.triangle[rows[found][:, None], columns[part]]
+        ratio = other.scale / self.scale
+        other.corners = self.corners * ratio + (self.low - other.low) * other.scale
+        other._seen()
+        return other
+
     def _keep(self, place, near, owner):
         """Keeps samples unless a nearer one exists. If several have one position, writes any of them, then the nearer ones again."""
         best, triangle = self.near.reshape(-1), self.triangle.reshape(-1)
@@ -62,7 +91,7 @@ class Raster:
             triangle[place] = owner
             ahead = near > best[place]
 
-    def _spans(self, corners):
+    def spans(self, corners):
         """(triangle, row, first sample, length): spans of samples whose centres lie in a triangle, for all anticlockwise triangles."""
         turns = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) > 0
         low = np.clip(np.ceil(corners[:, :, 1].min(axis=1) - 0.5), 0, self.shape[0]).astype(int)

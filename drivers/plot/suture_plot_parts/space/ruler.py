@@ -51,12 +51,12 @@ def cross(axes, inches, view, origin):
         axes.text(*(origin + place), name, transform=inches, ha="center", va="center", fontsize=9)
 
 
-def scale(axes, inches, unit, part):
-    """A round length, at most a given fraction of the plot's width."""
+def scale(axes, inches, unit, part, above=0.0):
+    """A round length, at most a given fraction of the plot's width. \\param above  inches above its usual place below the plot"""
     (x0, x1), middle = axes.get_xlim(), np.mean(axes.get_xlim())
     length, at = round_down(part * (x1 - x0)), blended_transform_factory(axes.transData, inches)
     style = {"transform": at, "color": "black", "clip_on": False}
-    axes.plot([middle - 0.5 * length, middle + 0.5 * length], [-0.3, -0.3], lw=1.4, solid_capstyle="butt", **style)
+    axes.plot([middle - 0.5 * length, middle + 0.5 * length], [above - 0.3, above - 0.3], lw=1.4, solid_capstyle="butt", **style)
     for end in (-0.5, 0.5):
-        axes.plot([middle + end * length] * 2, [-0.34, -0.26], lw=1.0, **style)
-    axes.text(middle, -0.37, f"{length:g} {unit}".rstrip(), transform=at, ha="center", va="top")
+        axes.plot([middle + end * length] * 2, [above - 0.34, above - 0.26], lw=1.0, **style)
+    axes.text(middle, above - 0.37, f"{length:g} {unit}".rstrip(), transform=at, ha="center", va="top")

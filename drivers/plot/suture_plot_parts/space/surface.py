@@ -17,7 +17,7 @@ class Surface:
     def __init__(self, grid):
         self.grid = grid
         node = node_numbers(grid)
-        faces = faces_used_once(grid, node)
+        faces = given_faces(grid) or faces_used_once(grid, node)
         self.faces = sum(len(nodes) for _, nodes in faces)
         self.nodes, place = points_of(faces, node)
         self._centres = []  # of quadrilaterals without a centre node: with_centres()
@@ -69,14 +69,52 @@ class Surface:
         left, right = self.beside.T
         return np.flatnonzero((right >= 0) & (of_triangles[left] != of_triangles[right]))
 
+    def around(self, triangles):
+        """The edges between these triangles and others."""
+        mine = np.zeros(len(self.triangles) + 1, dtype=bool)
+        mine[triangles] = True  # the last entry means no triangle
+        return self.edges[mine[self.beside[:, 0]] != mine[self.beside[:, 1]]]
+
+    def of_groups(self, names):
+        """Triangles of the faces of side groups."""
+        grid = self.grid
+        cells = getattr(grid, "group_cells", {})
+        if cells:
+            own = [cells[name] for name in names if name in cells]
+            return np.flatnonzero(np.isin(self.cells, np.concatenate(own))) if own else np.zeros(0, dtype=int)
+        own = [self.of_group(grid.side_groups[name]) for name in names if len(grid.side_groups.get(name, []))]
+        return np.concatenate(own) if own else np.zeros(0, dtype=int)
+
     def of_group(self, sides):
-        """Triangles of the faces of a side group. Each row is a face, given by two vertices in an order unique to it in the body."""
-        points = self.at(self.grid.points)
+        """Triangles of the faces of a side group. Each row is a face, given by two vertices in an order unique to it in its body.
+
+        Bodies that touch have vertices at the same places: rows belong to the body that has most of them, and so on.
+        """
         first, last = self._first[:, 2:].T
-        rows = np.vstack([points[self._first[:, :2]].reshape(-1, 6), sides])
-        number = numbered(np.round(rows / (1e-8 * max(np.ptp(points, axis=0).max(initial=0.0), 1e-300))).astype(np.int64))
-        chosen = np.isin(number[:len(first)], number[len(first):])
+        number = self._keys(sides)
+        mine, rows = number[:len(first)], np.unique(number[len(first):])
+        body = self.of_cells("Body")[first] if len(first) else first
+        chosen = np.zeros(len(first), dtype=bool)
+        while len(rows):
+            found = np.isin(mine, rows) & ~chosen
+            if not found.any():
+                break
+            best = np.argmax(np.bincount(body[found].astype(int)))
+            own = found & (body == best)
+            chosen |= own
+            rows = np.setdiff1d(rows, mine[own])
         return np.concatenate([np.zeros(0, dtype=int), *(np.arange(a, b + 1) for a, b in zip(first[chosen], last[chosen]))])
+
+    def _keys(self, sides):
+        """A number for each face of the surface, then for each row of `sides`, equal for equal places of both vertices."""
+        points = self.at(self.grid.points)
+        rows = np.vstack([points[self._first[:, :2]].reshape(-1, 6), sides])
+        return numbered(np.round(rows / (1e-8 * max(np.ptp(points, axis=0).max(initial=0.0), 1e-300))).astype(np.int64))
+
+
+def given_faces(grid):
+    """[(cells, nodes)] of a grid whose cells are the outer faces already, grouped by their number of nodes."""
+    return sorted(((own, nodes) for kind, own, nodes in grid.blocks if kind not in CELLS), key=lambda face: face[1].shape[1])
 
 
 def node_numbers(grid):
