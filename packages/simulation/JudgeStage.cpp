@@ -80,7 +80,9 @@ void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, con
   if (!solution.nodalStresses.empty())
     for (const auto& own : solution.ownStresses)  // recovered with a wrong law
       solution.nodalStresses[own.first].setConstant(std::numeric_limits<double>::quiet_NaN());
-  solution.extremes = findExtremes(comm, {meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses});
+  const SearchedFields fields{meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses};
+  solution.extremes = findExtremes(comm, fields);
+  solution.safety = findSafety(comm, fields);
 }
 
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,

@@ -30,7 +30,7 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
 void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
                   const LoadPath* path, Solution& solution, Timers& timers);
 
-/// Adds the extremes of the verified solution. Collective.
+/// Adds the extremes and the safety factors of the verified solution. Collective.
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution);
 
 /// Verifies the solution from its displacements and contact forces alone. If the verdict does not hold, the run has failed, even if the

@@ -136,6 +136,8 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
       {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
   path().accept(solution.pairs, solution.verification.forces);
   path().rows.push_back(row);
+  for (LeastSafety& one : solution.safety.ofBodies) one.step = row.step, one.time = row.time;
+  keepLeast(path().safety, solution.safety.ofBodies);
   monitor().endStep(row);
   if (!parts_.run.writes()) return;
   timed(timers(), "write", [&] {
@@ -231,6 +233,7 @@ Solution PathFollower::follow() {
     result.iterations = total.iterations;
     result.pcgTotal = total.pcgTotal;
     result.otherApplications = total.otherApplications;
+    result.safety.ofBodies = path().safety;
     path().setTime(path().time(), scene().model, parts_.cut.meshes, parts_.constraints);
   }
   if (unfinished_.empty() && !result.verification.holds()) result.failure = "the verdict does not hold: " + result.verification.failure();

@@ -182,6 +182,7 @@ JudgedScene judge(SolvedScene solved) {
   if (solution.converged)
     add(timed(parts.run.timers(), "verify", [&] { return solved.overlaps_.added(comm, parts.scene, solution.displacement); }));
   add(singularNotes(comm, parts.cut.meshes, solution));
+  add(safetyNotes(parts.scene.model, solution.safety));
   return JudgedScene(std::move(solved));
 }
 
