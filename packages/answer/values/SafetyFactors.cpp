@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 #include <sstream>
 
 namespace suture {
@@ -187,7 +187,12 @@ void keepLeast(std::vector<LeastSafety>& least, const std::vector<LeastSafety>& 
 std::vector<std::string> safetyNotes(const ElasticModel& model, const SafetyFactors& factors) {
   std::vector<std::string> notes;
   std::size_t exceeded = 0;
+  std::set<std::string> anisotropic;
   for (const LeastSafety& one : factors.ofBodies) {
+    const Material& own = one.material(model);
+    if (own.law && own.strength && anisotropic.insert(own.name).second)
+      notes.push_back("the material '" + own.name + "' is anisotropic, but its strength (" + own.strength->name() +
+                      ") is the same in all directions: its safety factors are approximations");
     if (!(one.factor < 1.0) || ++exceeded > kMostWarnings) continue;
     const Material& material = one.material(model);
     std::ostringstream text;

@@ -40,7 +40,7 @@ Vector safetyFactors(const SubdomainMesh& mesh, const ElasticModel& model, const
 /// Replaces the least factors by those of another load step that are smaller. Local.
 void keepLeast(std::vector<LeastSafety>& least, const std::vector<LeastSafety>& step);
 
-/// A warning for each body that exceeds its strength, at most five. Local.
+/// A warning for each body that exceeds its strength, at most five; a note for each anisotropic material with a strength. Local.
 std::vector<std::string> safetyNotes(const ElasticModel& model, const SafetyFactors& factors);
 
 }  // namespace suture
