@@ -4,6 +4,7 @@
 #include <suture/base/scene/SchemaDocument.hpp>
 #include <suture/report/SceneSchema.hpp>
 
+#include "schema/MaterialList.hpp"
 #include "study/Schema.hpp"
 #include "support/CommandLine.hpp"
 #include "support/Plugins.hpp"
@@ -41,11 +42,12 @@ int main(int argc, char* argv[]) {
   const std::string name = "suture_schema";
   std::string format = "text";
   std::vector<std::string> plugins;
-  bool study = false;
+  bool study = false, materials = false;
   const auto describe = [&](CLI::App& app) {
     app.add_option("--format", format, "text (default) | xml (a scene that can be solved, with all defaults) | markdown")
         ->check(CLI::IsMember({"text", "xml", "markdown"}));
     app.add_flag("--study", study, "Print the parameters of a study instead of a scene");
+    app.add_flag("--materials", materials, "Print the built-in materials with values and sources instead (text or markdown)");
     suture::addPluginOption(app, plugins);
   };
   if (const auto end = suture::parseCommandLine(
@@ -53,6 +55,7 @@ int main(int argc, char* argv[]) {
     return *end;
   try {
     suture::loadPlugins(plugins);
+    if (materials) return suture::printed(name, suture::materialList(format));
     return suture::printed(
         name, study ? suture::documentOf(suture::study::studySchema(), format) : suture::documentOf(suture::sceneSchema(), format, scene));
   } catch (const std::exception& error) {

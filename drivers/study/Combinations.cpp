@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <suture/base/Collective.hpp>
 #include <suture/base/Numbers.hpp>
 #include <suture/report/ParametersJson.hpp>
 #include <suture/report/SceneSchema.hpp>
@@ -83,9 +84,13 @@ class SceneTexts {
 
   SceneFile scene(const Combination& run) {
     const auto known = texts_.find(run.scene);
-    if (known != texts_.end()) return parseScene(known->second, run.scene, schema_, run.overrides);
-    const SceneFile scene = readScene(comm_, run.scene, schema_, run.overrides);
-    texts_[run.scene] = scene.text;
+    if (known == texts_.end()) {
+      const SceneFile scene = readScene(comm_, run.scene, schema_, run.overrides);
+      texts_[run.scene] = scene.text;
+      return scene;
+    }
+    SceneFile scene;  // may use other files, which every rank reads
+    collectively(comm_, "reading " + run.scene, [&] { scene = parseScene(known->second, run.scene, schema_, run.overrides); });
     return scene;
   }
 

@@ -2,6 +2,7 @@
 #include <suture/answer/OuterFigures.hpp>
 #include <suture/answer/PairResult.hpp>
 #include <suture/answer/values/Extremes.hpp>
+#include <suture/answer/values/SafetyFactors.hpp>
 #include <suture/answer/verdict/Verification.hpp>
 #include <suture/base/Types.hpp>
 
@@ -53,6 +54,7 @@ struct Solution : OuterFigures {
   double energy = 0.0;                   ///< total potential energy a(u,u)/2 - L(u)
   Verification verification;             ///< checks (empty before verify()) and the balance of forces
   Extremes extremes;                     ///< see findExtremes()
+  SafetyFactors safety;                  ///< see findSafety(); with load steps the least factors over all steps
   std::map<std::string, double> errors;  ///< against the exact solution of the scene, if any: see exactErrors()
 
   /// True if the run converged, the verdict holds, and no loaded body is free to move.

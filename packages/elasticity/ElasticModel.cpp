@@ -29,15 +29,16 @@ void addModelParameters(Schema& scene) {
 
 Schema bodySchema() {
   return Schema("A body, with the name of its surface group (3D: volume group) in the mesh.")
-      .text("Material", std::nullopt, "Name of its entry in the list Materials.")
+      .text("Material", std::nullopt, "Name of its entry in the list Materials, in one of the Material Files, or of a built-in material.")
       .list("Regions", Schema("Parts of the body with a different material; the rest has the body's material.")
                            .each("region", Schema("A part of a body, named by the user.")
                                                .text("Group", std::nullopt, "Its surface group (3D: volume group) in the mesh.")
-                                               .text("Material", std::nullopt, "Name of its entry in the list Materials.")));
+                                               .text("Material", std::nullopt, "Its material, like that of a body.")));
 }
 
 Schema materialSchema() {
-  return Schema("A material, named by the user.")
+  Schema material("A material, named by the user.");
+  material
       .choice("Type", IsotropicLaw::kName, Registry<MaterialLaw>::instance().schemas(),
               "The linear elastic law; its parameters are in the list of the same name, those of Isotropic next to Type.",
               IsotropicLaw::kName)
@@ -59,6 +60,17 @@ Schema materialSchema() {
       .boolean("Allow Locking", false,
                "Accept 3-node triangles and 4-node tetrahedra with a Poisson ratio above 0.49 (except in plane stress) as Displacement "
                "elements. They are much too stiff there, and a warning is printed.");
+  addStrengthParameters(material);
+  return material
+      .text("Based On", std::nullopt,
+            "Name of another material of this scene, its Material Files or the built-in file: its values apply where this entry has none.")
+      .optional()
+      .text("Title", std::nullopt, "What the material is, for people.")
+      .optional()
+      .text("Source", std::nullopt, "Where the values come from: standard, handbook, test report.")
+      .optional()
+      .text("Remarks", std::nullopt, "Range and limits of the values.")
+      .optional();
 }
 
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
@@ -98,6 +110,13 @@ void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int numb
   material.number = number;
 }
 
+// Adds a problem unless it is known: bodies and regions may share a material.
+void addOnce(const Problem& problem, Problems& problems) {
+  const auto& all = problems.list();
+  if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == problem.path && p.message == problem.message; }))
+    problems.add(problem.path, problem.message);
+}
+
 // Reads the law of an entry of Materials; false if it is invalid. `number`: of the entry, from 1.
 bool readLaw(const Parameters& entry, int number, int dimension, Material& material, Problems& problems) {
   const std::string type = entry.get<std::string>("Type");
@@ -107,12 +126,16 @@ bool readLaw(const Parameters& entry, int number, int dimension, Material& mater
   } catch (const InputError& error) {
     for (Problem problem : error.problems()) {
       if (problem.path == MaterialLaw::kind()) problem.path = pathOf(entry, entry.isSublist(type) ? type : "Type");
-      const auto& all = problems.list();  // bodies and regions may share the material
-      if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == problem.path && p.message == problem.message; }))
-        problems.add(problem.path, problem.message);
+      addOnce(problem, problems);
     }
     return false;
   }
+}
+
+void readStrength(const Parameters& entry, Material& material, Problems& problems) {
+  Problems found;
+  material.strength = strengthOf(entry, found);
+  for (const Problem& problem : found.list()) addOnce(problem, problems);
 }
 
 // True if the law remains positive definite without the couplings that Mixed elements replace by a pressure.
@@ -147,6 +170,7 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, co
     material.expansion = own.get<double>("Thermal Expansion");
     material.number = static_cast<int>(found - known.begin()) + 1;  // stresses jump where the expansion jumps
   }
+  readStrength(own, material, problems);
   material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");
   if (element == kMixed || (!material.named && isMixedOfItself(material, plane))) material.element = ElementForm::Mixed;
   if (element == kMixed && plane == PlaneModel::Strain && !mayBeMixed(material))
@@ -173,6 +197,12 @@ void ElasticModel::addBody(const std::string& body, std::shared_ptr<const Materi
   material.enhanced = true;
   bodies.push_back(body);
   materialOfBody.push_back(material);
+}
+
+bool ElasticModel::hasStrength() const {
+  const auto has = [](const Material& material) { return material.strength != nullptr; };
+  return std::any_of(materialOfBody.begin(), materialOfBody.end(), has) ||
+         std::any_of(materialOfRegion.begin(), materialOfRegion.end(), has);
 }
 
 bool ElasticModel::nearlyIncompressible() const {
@@ -228,9 +258,7 @@ void checkElements(const CellBlock& block, const std::function<int(int element)>
       text << ", for which Materials/" << material.name << "/Element = Mixed is chosen, or choose Displacement there, or set Materials/"
            << material.name << "/Allow Locking to accept locking";
     Problem found{"Materials/" + material.name + (mixed ? "/Element" : "/Poisson Ratio"), text.str()};
-    const auto& all = problems.list();
-    if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == found.path && p.message == found.message; }))
-      problems.add(found.path, found.message);
+    addOnce(found, problems);
   }
 }
 

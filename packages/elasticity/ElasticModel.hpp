@@ -6,6 +6,7 @@
 #include <suture/elasticity/ReferenceElement.hpp>
 #include <suture/elasticity/loads/InitialState.hpp>
 #include <suture/elasticity/loads/Load.hpp>
+#include <suture/elasticity/strength/Strength.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
 #include <functional>
@@ -35,9 +36,10 @@ struct Material {
   bool allowLocking = false;  ///< allows displacement elements, including linear simplices, although nu is near 0.5
   bool named = false;         ///< the scene names the element type; otherwise a non-locking one was chosen
   int number = 0;  ///< 1-based position in the scene's list, distinguishes materials with equal moduli but other laws or expansions; else 0
-  std::shared_ptr<const MaterialLaw> law{};  ///< null: isotropic
-  std::optional<double> density{};           ///< [mass / volume], if given in the scene
-  std::optional<double> expansion{};         ///< strain of a free body per unit of temperature, if given [1 / temperature]
+  std::shared_ptr<const MaterialLaw> law{};    ///< null: isotropic
+  std::optional<double> density{};             ///< [mass / volume], if given in the scene
+  std::optional<double> expansion{};           ///< strain of a free body per unit of temperature, if given [1 / temperature]
+  std::shared_ptr<const Strength> strength{};  ///< null: none given
 
   ElasticStiffness stiffness() const { return law ? law->stiffness() : isotropicStiffness({young, poisson}); }
 };
@@ -66,6 +68,8 @@ struct ElasticModel {
   /// Material of an element of a body: that of its region, or else the body's.
   /// \throws InternalError  if the scene has regions but the mesh has no region numbers (assignRegions).
   const Material& materialOf(const CellBlock& block, int element, int body) const;
+  /// True if any material has a strength. The same on all ranks.
+  bool hasStrength() const;
   /// True if any material resists volume change much more than shape change: Poisson ratio above 0.45, not in plane stress.
   bool nearlyIncompressible() const;
 };

@@ -19,6 +19,7 @@ constexpr std::size_t kOldSliding = 4;  // earlier files lack friction
 constexpr std::size_t kStep = 19;       // components of a row of Steps
 constexpr std::size_t kPathPair = 9;    // components of a row of PathPairs: slip, slipped, dissipated, force, tangential
 constexpr std::size_t kCarried = 4;     // components of a row of Carried: BodyForces
+constexpr std::size_t kSafety = 12;     // components of a row of Safety: see forEachNumber()
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
 /// Members of a StepRow as numbers; one list for reading and writing.
@@ -27,6 +28,14 @@ void forEachNumber(Row& row, const Each& each) {
   each(row.step), each(row.time), each(row.length), each(row.outer), each(row.pcg), each(row.givenUp), each(row.active), each(row.sticking);
   each(row.slipping), each(row.changed), each(row.residual), each(row.energy), each(row.work.external), each(row.work.stored);
   each(row.work.normal), each(row.work.tangential), each(row.work.dissipated), each(row.work.size), each(row.seconds);
+}
+
+/// Members of a LeastSafety as numbers, except a factor without load, which is infinite and belongs to no place.
+template <typename Safety, typename Each>
+void forEachSafety(Safety& one, const Each& each) {
+  each(one.body), each(one.region), each(one.id), each(one.step), each(one.time), each(one.factor);
+  for (auto& x : one.place) each(x);
+  for (auto& s : one.stress) each(s);
 }
 
 void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
@@ -50,6 +59,14 @@ void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
   if (comm.getRank() == 0)
     for (const BodyForces& body : steps.carried) carried.insert(carried.end(), {body.loads, body.prescribed, body.force, body.deformation});
   file.write(at("Carried"), carried, static_cast<int>(kCarried));
+  if (steps.safety.empty()) return;
+  std::vector<double> safety;
+  if (comm.getRank() == 0)
+    for (LeastSafety one : steps.safety) {
+      if (!one.exists()) one.factor = 0.0;
+      forEachSafety(one, [&](auto value) { safety.push_back(static_cast<double>(value)); });
+    }
+  file.write(at("Safety"), safety, static_cast<int>(kSafety));
 }
 
 /// \param ids  of the pairs, in file order
@@ -72,6 +89,16 @@ PathState readPath(const Hdf5Reader& file, const std::string& path, const std::v
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const double* row = pairs.data() + kPathPair * i;
     steps.pairs.push_back({ids[i], {{row[0], row[1], row[2]}, row[3] != 0.0, row[4]}, row[5], {row[6], row[7], row[8]}});
+  }
+  if (file.has(at("Safety"))) {
+    const std::vector<double> safety = file.readReals(at("Safety"));
+    if (safety.size() % kSafety != 0 || !std::all_of(safety.begin(), safety.end(), finite))
+      throw InputError(path, "damaged: incomplete load steps");
+    for (auto at = safety.begin(); at != safety.end();) {
+      LeastSafety& one = steps.safety.emplace_back();
+      forEachSafety(one, [&](auto& value) { value = static_cast<std::decay_t<decltype(value)>>(*at++); });
+      if (!one.exists()) one.factor = LeastSafety().factor;
+    }
   }
   if (!file.has(at("Carried"))) return steps;
   const std::vector<double> carried = file.readReals(at("Carried"));

@@ -23,6 +23,7 @@ struct PathState {
   double length = 0.0;                ///< length of the next step
   std::vector<Pair> pairs{};          ///< written from rank 0, read on all ranks
   std::vector<BodyForces> carried{};  ///< largest forces on each body so far; empty: unknown (earlier files)
+  std::vector<LeastSafety> safety{};  ///< least safety factors over the steps; written from rank 0, read on all ranks
 
   bool empty() const { return rows.empty(); }
 };

@@ -14,14 +14,15 @@
 namespace suture {
 namespace {
 
-constexpr int kPieceElements = 4096;  // work space of a megabyte, stays in the cache between pieces
+constexpr int kPieceElements = 4096;     // work space of a megabyte, stays in the cache between pieces
+constexpr double kLargestFactor = 1000;  // safety factor in the file
 
 // Consecutive subdomains and the values to be written for them.
 struct Piece {
   GridPiece grid;
   std::vector<double> displacement, since, nodalStress, nodalPrincipal, nodalVonMises;
   std::vector<GlobalId> nodeId;
-  std::vector<double> stress, principal, firstDirection, lastDirection, vonMises, young, error;
+  std::vector<double> stress, principal, firstDirection, lastDirection, vonMises, young, error, safety, nodalSafety;
   std::vector<int> subdomain, body, material;
   std::vector<GlobalId> elementId;
 
@@ -29,7 +30,7 @@ struct Piece {
   // Keeps the allocated memory.
   void clear() {
     for (auto* values : {&grid.points, &displacement, &since, &nodalStress, &nodalPrincipal, &nodalVonMises, &stress, &principal,
-                         &firstDirection, &lastDirection, &vonMises, &young, &error})
+                         &firstDirection, &lastDirection, &vonMises, &young, &error, &safety, &nodalSafety})
       values->clear();
     for (auto* values : {&grid.connectivity, &grid.ends, &nodeId, &elementId}) values->clear();
     for (auto* values : {&subdomain, &body, &material}) values->clear();
@@ -145,6 +146,9 @@ void addMaterials(const SubdomainMesh& mesh, const ElasticModel& model, const st
   }
 }
 
+/// Infinite factors, of places without load, would make colour scales and means useless. NaN, without strength, stays.
+double writtenFactor(double factor) { return factor > kLargestFactor ? kLargestFactor : factor; }
+
 /// \param own  stresses of a user-defined subdomain, or null
 void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, const Matrix* own, Piece& all) {
   const Matrix stress = own ? *own : elementStresses(mesh, model, u);
@@ -165,6 +169,9 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
     if (!model.materialOfRegion.empty()) all.young.push_back(model.materialOf(mesh, e, mesh.body).young);
   }
   all.vonMises.insert(all.vonMises.end(), mises.data(), mises.data() + mises.size());
+  if (!model.hasStrength()) return;
+  const Vector factors = safetyFactors(mesh, model, stress);
+  for (const double factor : factors) all.safety.push_back(writtenFactor(factor));
 }
 
 std::string stressMeaning(const ElasticModel& model, const std::string& where) {
@@ -212,6 +219,11 @@ class FieldRows {
     if (run.solution.sinceTime)
       since_.emplace(file.pointData<double>(
           {"DisplacementSince", 3, units_.length, format("x, y, z; since the time %g; along the axes", *run.solution.sinceTime)}));
+    if (run.model.hasStrength()) {
+      const std::string meaning = "safety factor by the strength of the material, at most 1000; NaN without strength; ";
+      safety_.emplace(reals("SafetyFactor", 1, "", meaning + "at the centroid"));
+      if (nodalStress_) nodalSafety_.emplace(file.pointData<double>({"NodalSafetyFactor", 1, "", meaning + "from the recovered stresses"}));
+    }
     if (!run.model.materialOfRegion.empty()) young_.emplace(reals("YoungModulus", 1, units_.stress, "of the element's material"));
     if (run.solution.discretisation)
       error_.emplace(reals("ErrorEstimate", 1, "(" + units_.stress + " " + units_.length + "^2)^(1/2)",
@@ -238,6 +250,8 @@ class FieldRows {
       nodalVonMises_->append(piece.nodalVonMises);
     }
     if (since_) since_->append(piece.since);
+    if (safety_) safety_->append(piece.safety);
+    if (nodalSafety_) nodalSafety_->append(piece.nodalSafety);
     if (young_) young_->append(piece.young);
     if (error_) error_->append(piece.error);
     subdomain_->append(piece.subdomain);
@@ -260,7 +274,7 @@ class FieldRows {
   Hdf5Rows<double> displacement_;
   Hdf5Rows<GlobalId> nodeId_;
   Hdf5Rows<double> stress_, principal_, firstDirection_, lastDirection_, vonMises_;
-  std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, since_, young_, error_;
+  std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, since_, young_, error_, safety_, nodalSafety_;
   std::optional<Hdf5Rows<int>> subdomain_, body_, material_;
   std::optional<Hdf5Rows<GlobalId>> elementId_;
 };
@@ -275,6 +289,9 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     addNodes(mesh, numbers, u, piece);
     if (!run.solution.nodalStresses.empty()) addNodalStresses(mesh, numbers, run.solution.nodalStresses[s], piece);
     if (run.solution.sinceTime) addSince(mesh, numbers, run.solution.since[s], piece);
+    if (!run.solution.safety.nodal.empty())
+      for (int n = 0; n < mesh.nodes(); ++n)
+        if (numbers.isNew(mesh, n)) piece.nodalSafety.push_back(writtenFactor(run.solution.safety.nodal[s][n]));
     addCells(mesh, numbers.of(mesh), piece);
     addMaterials(mesh, run.model, materials, piece);
     const auto own = run.solution.ownStresses.find(static_cast<int>(s));

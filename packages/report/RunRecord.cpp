@@ -82,6 +82,8 @@ RunRecord recordOf(const std::string& path, const std::string& text) {
     for (const Json& plugin : record.at("plugins")) run.plugins.push_back(usedFileOf(plugin));
     run.restart = usedFileOf(record.at("restart"));
     run.strict = record.at("strict").get<bool>();
+    if (record.contains("material_files"))
+      for (const Json& file : record.at("material_files")) run.materialFiles.push_back(usedFileOf(file));
     run.meshHash = all.at("mesh_hash").get<std::string>();
     if (!all.at("parameters").is_object()) throw InputError(path, "'parameters' is not an object");
   } catch (const Json::exception& error) {
@@ -97,11 +99,14 @@ Json recordJson(const SceneFile& scene, const Invocation& invocation) {
   const bool isFile = fs::is_regular_file(scene.path, ignored);
   Json plugins = Json::array();
   for (const UsedFile& plugin : invocation.plugins) plugins.push_back(jsonOf(plugin));
-  return {{"scene", isFile ? jsonOf({absolutePath(scene.path), hashOf(scene.text)}) : Json()},
-          {"overrides", scene.overrides},
-          {"plugins", plugins},
-          {"restart", jsonOf(invocation.restart)},
-          {"strict", invocation.strict}};
+  Json record = {{"scene", isFile ? jsonOf({absolutePath(scene.path), hashOf(scene.text)}) : Json()},
+                 {"overrides", scene.overrides},
+                 {"plugins", plugins},
+                 {"restart", jsonOf(invocation.restart)},
+                 {"strict", invocation.strict}};
+  if (!scene.included.empty()) record["material_files"] = Json::array();
+  for (const auto& [path, file] : scene.included) record["material_files"].push_back(jsonOf({absolutePath(path), hashOf(file.text)}));
+  return record;
 }
 
 std::string RunRecord::folderOfAgain() const { return fs::path(absolutePath(path)).parent_path().string() + "_again"; }
@@ -128,11 +133,17 @@ std::vector<std::string> RunRecord::checkFiles() const {
 }
 
 std::vector<std::string> RunRecord::checkScene(const SceneFile& file) const {
-  if (hashOf(file.text) == scene.hash) return {};
+  std::vector<std::string> then, now;
+  for (const UsedFile& one : materialFiles) then.push_back(one.hash);
+  for (const auto& one : file.included) now.push_back(hashOf(one.second.text));
+  std::sort(then.begin(), then.end());
+  std::sort(now.begin(), now.end());
+  if (hashOf(file.text) == scene.hash && then == now) return {};
   Problems problems;
   differences(Json::parse(text).at("parameters"), toJson(*file.parameters), "", problems);
   problems.throwIfAny();
-  return {"the scene file has changed since the run, but none of its parameters has"};
+  return {std::string(hashOf(file.text) == scene.hash ? "a material file" : "the scene file") +
+          " has changed since the run, but none of its parameters has"};
 }
 
 void RunRecord::checkMesh(const std::string& hash) const {

@@ -23,6 +23,7 @@ struct RunRecord {
   UsedFile scene;
   std::vector<std::string> overrides;  ///< overrides of the run, without Output/Folder
   std::vector<UsedFile> plugins;
+  std::vector<UsedFile> materialFiles;  ///< from which materials were taken
   UsedFile restart;
   bool strict = false;
   std::string meshHash;

@@ -2,6 +2,7 @@
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/LoadSteps.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/elasticity/materials/MaterialFiles.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/reader/MeshReader.hpp>
 #include <suture/report/OutputSchema.hpp>
@@ -22,12 +23,15 @@ Schema headerSchema() {
       .text("Date", "", "Date of the report, as it is to be printed.");
 }
 
-/// \param inFile  mesh, bodies and materials are required
+/// \param inFile  mesh and bodies are required, materials come also from files
 Schema schemaOf(bool inFile) {
   const int least = inFile ? 1 : 0;
   Schema scene("A scene: elastic bodies in equilibrium, in unilateral contact with each other.");
   scene.text("Title", "", "Printed and plotted; empty: the name of the file.");
-  scene.text("Units", "m, N, Pa", "Names of the units of length, force and stress: recorded and printed, never converted.");
+  scene.text(
+      "Units", "m, N, Pa",
+      "Names of the units of length, force and stress: recorded and printed. The numbers of the scene are never converted; materials of "
+      "other files are converted to these units.");
   addModelParameters(scene);
   scene.list("Constants", constantsSchema());
   scene.list("Functions", functionsSchema());
@@ -35,7 +39,12 @@ Schema schemaOf(bool inFile) {
   Schema body = bodySchema();
   body.choice("Subdomain", "Elastic", Registry<Subdomain>::instance().schemas(), "The physics of the body's subdomains.");
   scene.list("Bodies", Schema("The elastic bodies, each named like its element group in the mesh.").each("<body>", body, least), inFile);
-  scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), least), inFile);
+  scene.list("Materials", Schema("Materials, named by the user. Further ones come from Material Files and the built-in file.")
+                              .each("<material>", materialSchema()));
+  if (inFile) {
+    addMaterialFilesParameter(scene);
+    scene.completedBy(materialFiles());
+  }
   scene.list("Boundary Conditions",
              Schema("Loads and supports, named by the user; a node may have several.").each("<condition>", boundaryConditionSchema()));
   scene.list("Load Steps", LoadSteps::schema());

@@ -225,6 +225,7 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
         {"versions", versions},
         {"parameters", toJson(parameters)},
     };
+    if (!answer.safety.ofBodies.empty()) summary["safety"] = safetyJson(run, dimension);
     if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
     // Text that is not UTF-8 (a title in Latin-1) must not make the results unwritable.
     text = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

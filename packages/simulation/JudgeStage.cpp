@@ -94,7 +94,9 @@ std::vector<Matrix> recoveredStresses(const Comm& comm, const std::vector<Subdom
 
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution) {
   if (!solution.nodalStresses.empty()) forgetOwn(solution, solution.nodalStresses);
-  solution.extremes = findExtremes(comm, {meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses});
+  const SearchedFields fields{meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses};
+  solution.extremes = findExtremes(comm, fields);
+  solution.safety = findSafety(comm, fields);
   if (solution.sinceTime) solution.extremes.displacementSince = largestVector(comm, meshes, solution.since);
 }
 

@@ -35,7 +35,7 @@ void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, co
 std::vector<Matrix> recoveredStresses(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                                       const Solution& solution);
 
-/// Adds the extremes of the verified solution. Collective.
+/// Adds the extremes and the safety factors of the verified solution. Collective.
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution);
 
 /// Verifies the solution from its displacements and contact forces alone. If the verdict does not hold, the run has failed, even if the

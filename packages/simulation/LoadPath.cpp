@@ -88,11 +88,12 @@ void LoadPath::goOnFrom(PathState state) {
   rows = std::move(state.rows);
   length = state.length;
   carried_ = state.carried;
+  safety = std::move(state.safety);
   for (const PathState::Pair& pair : state.pairs) past_[pair.id] = pair.past;
 }
 
 PathState LoadPath::state(const std::vector<PairResult>& pairs) const {
-  PathState state{rows, length, {}, carried_};
+  PathState state{rows, length, {}, carried_, safety};
   for (const PairResult& pair : pairs) {
     const auto past = past_.find(pair.id);
     state.pairs.push_back({pair.id, past == past_.end() ? ContactPair::Past() : past->second, pair.force, pair.tangential});

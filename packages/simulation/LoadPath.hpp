@@ -41,8 +41,9 @@ class LoadPath {
   const std::vector<BodyForces>& carried() const { return carried_; }
   double time() const { return rows.empty() ? 0.0 : rows.back().time; }
 
-  std::vector<StepRow> rows;  ///< rows of the steps so far
-  double length = 0.0;        ///< length of the next step
+  std::vector<StepRow> rows;        ///< rows of the steps so far
+  double length = 0.0;              ///< length of the next step
+  std::vector<LeastSafety> safety;  ///< least safety factors over the steps so far
 
  private:
   const Comm& comm_;

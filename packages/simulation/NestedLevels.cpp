@@ -52,7 +52,7 @@ std::vector<SceneFile> nestedLevels(const SceneFile& file) {
     std::vector<std::string> overrides = file.overrides;
     setOverride(overrides, "Outer Solver/Start=Bilateral");
     for (const std::string& one : overridesOf(level)) setOverride(overrides, one);
-    levels.push_back(parseScene(file.text, file.path, sceneSchema(), overrides));
+    levels.push_back(parseScene(file.text, file.path, sceneSchema(), overrides, file.folder, file.included));
   }
   return levels;
 }

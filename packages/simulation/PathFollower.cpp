@@ -147,6 +147,8 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
   path().accept(solution.pairs, solution.verification.forces);
   path().rows.push_back(row);
   if (row.time == scene().settings().sublist("Output").get<double>("Displacements Since")) parts_.reference = solution.displacement;
+  for (LeastSafety& one : solution.safety.ofBodies) one.step = row.step, one.time = row.time;
+  keepLeast(path().safety, solution.safety.ofBodies);
   monitor().endStep(row);
   if (!parts_.run.writes()) return;
   timed(timers(), "write", [&] {
@@ -245,6 +247,7 @@ Solution PathFollower::follow() {
     result.iterations = total.iterations;
     result.pcgTotal = total.pcgTotal;
     result.otherApplications = total.otherApplications;
+    result.safety.ofBodies = path().safety;
     path().setTime(path().time(), scene().model, parts_.cut.meshes, parts_.constraints);
   }
   if (unfinished_.empty() && !result.verification.holds()) result.failure = "the verdict does not hold: " + result.verification.failure();

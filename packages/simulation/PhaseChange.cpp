@@ -7,6 +7,7 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,15 @@ Point freePart(const NodeRule* rule, Point force, int dimension) {
   return force;
 }
 
+/// Body and name of each region, in the order of ElasticModel::materialOfRegion.
+std::vector<std::pair<std::string, std::string>> regionNames(const Parameters& bodies) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const std::string& body : sublistNames(bodies))
+    if (bodies.sublist(body).isSublist("Regions"))
+      for (const std::string& region : sublistNames(bodies.sublist(body).sublist("Regions"))) names.emplace_back(body, region);
+  return names;
+}
+
 }  // namespace
 
 /// Nodal vectors of all ranks, on rank 0. Collective.
@@ -75,6 +85,11 @@ PhaseChange::PhaseChange(const SceneParts& before, const Solution& solution) {
     pairs_[{before.scene.contacts[static_cast<std::size_t>(pair.line)], whole[static_cast<std::size_t>(pair.node)]}].push_back(
         {pair, path_.pairs[i].past});
   }
+  const std::vector<std::pair<std::string, std::string>> regions = regionNames(before.scene.settings().sublist("Bodies"));
+  for (const LeastSafety& least : path_.safety)
+    safety_.emplace_back(least.region < 0 ? std::make_pair(before.scene.model.bodies[static_cast<std::size_t>(least.body)], std::string())
+                                          : regions[static_cast<std::size_t>(least.region)],
+                         least);
   for (std::size_t b = 0; b < path_.carried.size(); ++b) carried_[before.scene.model.bodies[b]] = path_.carried[b];
 }
 
@@ -145,6 +160,26 @@ std::vector<Vector> PhaseChange::onMeshes(const SceneParts& next, const std::map
   return values;
 }
 
+/// Results of bodies on the path, for the bodies and regions that still exist.
+void PhaseChange::takeBodies(const Scene& next) {
+  const std::vector<std::string>& bodies = next.model.bodies;
+  path_.carried.clear();
+  for (const std::string& body : bodies) {
+    const auto found = carried_.find(body);
+    path_.carried.push_back(found == carried_.end() ? BodyForces() : found->second);
+  }
+  path_.safety.clear();
+  const std::vector<std::pair<std::string, std::string>> regions = regionNames(next.settings().sublist("Bodies"));
+  for (auto& [name, least] : safety_) {
+    const auto body = std::find(bodies.begin(), bodies.end(), name.first);
+    const auto region = std::find(regions.begin(), regions.end(), name);
+    if (body == bodies.end() || (least.region >= 0 && region == regions.end())) continue;
+    path_.safety.push_back(least);
+    path_.safety.back().body = static_cast<int>(body - bodies.begin());
+    if (least.region >= 0) path_.safety.back().region = static_cast<int>(region - regions.begin());
+  }
+}
+
 void PhaseChange::goOn(SceneParts& next, double end) {
   const Comm& comm = next.run.comm();
   takePairs(next);
@@ -158,11 +193,7 @@ void PhaseChange::goOn(SceneParts& next, double end) {
   broadcast(comm, states);
   for (const StatusOf& one : states) start_.status[one.id] = one.state;
   start_.displacement = onMeshes(next, displacement_);
-  path_.carried.clear();
-  for (const std::string& body : next.scene.model.bodies) {
-    const auto found = carried_.find(body);
-    path_.carried.push_back(found == carried_.end() ? BodyForces() : found->second);
-  }
+  takeBodies(next.scene);
   next.path->goOnFrom(path_);
   if (next.sinceTime()) next.reference = onMeshes(next, reference_);
   addRelease(next, end);

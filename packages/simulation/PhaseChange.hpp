@@ -39,6 +39,8 @@ class PhaseChange {
   std::map<Key, std::vector<Pair>> pairs_;         // on rank 0
   std::map<int, Point> displacement_, reference_;  // node of the whole mesh; on rank 0
   std::map<std::string, BodyForces> carried_;
+  /// Least safety factors with the names of their body and region (empty: the body's own material).
+  std::vector<std::pair<std::pair<std::string, std::string>, LeastSafety>> safety_;
   PathState path_;
   Start start_;
   std::map<int, ContactPair::Past> fitted_;  // by id in the next phase, of pairs of placed bodies; on rank 0
@@ -46,6 +48,7 @@ class PhaseChange {
   std::map<int, Point> byWholeNode(const SceneParts& parts, const std::vector<Vector>& values) const;
   Point displacementOf(int node) const;
   void takePairs(const SceneParts& next);
+  void takeBodies(const Scene& next);
   std::vector<Vector> onMeshes(const SceneParts& next, const std::map<int, Point>& byWholeNode) const;
   void addRelease(SceneParts& next, double end) const;
 };

@@ -244,6 +244,7 @@ JudgedScene judge(SolvedScene solved) {
   if (solution.converged)
     add(timed(parts.run.timers(), "verify", [&] { return solved.overlaps_->added(comm, parts.scene, solution.displacement); }));
   add(singularNotes(comm, parts.cut.meshes, parts.scene.model, solution));
+  add(safetyNotes(parts.scene.model, solution.safety));
   return JudgedScene(std::move(solved));
 }
 

@@ -15,9 +15,7 @@ namespace suture::python {
 namespace {
 
 SceneFile parsed(const std::string& text, const std::string& name, const std::string& folder, const std::vector<std::string>& overrides) {
-  SceneFile file = parseScene(text, name, sceneSchema(), overrides);
-  file.folder = folder;
-  return file;
+  return parseScene(text, name, sceneSchema(), overrides, folder);
 }
 
 std::vector<MeshArrays::Group> groupsOf(const py::dict& groups, const std::string& place) {

@@ -62,14 +62,14 @@ def solve(name, *words, ranks=1):
     judge(name, code, text)
 
 
-solve("linear", scene("linear_square"))
+solve("linear", scene("linear_square"), *setting("Bodies/square/Material", "S355"))
 solve("plane", scene("two_blocks"), *setting("Output/Error Estimate", "true"), *setting("Output/Nodal Stresses", "true"),
       *setting("Output/Checkpoint", "true"), *probes("Line", From="{0.1, 0.1}", To="{0.9, 0.9}"))
 solve("restart", scene("two_blocks"), "--restart", work / "plane" / "checkpoint.h5", ranks=2)
 solve("exact", scene("manufactured"), *setting("Output/Error Estimate", "true"), *setting("Outer Solver/Tolerance", "Automatic"))
 solve("space", scene("patch_3d"), ranks=2)
 solve("friction", scene("sliding_pad"))
-solve("load_steps", scene("cattaneo"), *setting("Mesh/Mesh Size Factor", "2"))
+solve("load_steps", scene("cattaneo"), *setting("Mesh/Mesh Size Factor", "2"), *setting("Materials/unit/Yield Strength", "1"))
 solve("few_files", scene("two_blocks"), *setting("Output/Fields", "false"), *setting("Output/Tables", "false"))
 solve("plugin", scene("two_blocks"), "--plugin", options.plugin)
 solve("groups", scene("two_blocks"), *setting("Formulation", "Condensed Groups"), *setting("Outer Solver/Type", "Successive Approximation"),

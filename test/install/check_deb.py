@@ -91,7 +91,7 @@ def main():
     for name in ("include/suture/Version.hpp", "lib/pkgconfig/suture.pc"):
         if owner.get(name) != "suture-dev":
             problems.append(f"{name} is in {owner.get(name, 'no package')}, not in suture-dev")
-    for name in ("bin/suture_solve", "share/suture/input/tunnel/tunnel.xml", "share/doc/suture/README.md"):
+    for name in ("bin/suture_solve", "share/suture/input/tunnel/tunnel.xml", "share/suture/materials.xml", "share/doc/suture/README.md"):
         if owner.get(name) != "suture":
             problems.append(f"{name} is in {owner.get(name, 'no package')}, not in suture")
     if "python3-suture" in owner.values():

@@ -105,6 +105,28 @@ class Runs(unittest.TestCase):
         with open(os.path.join(folder, "summary.json")) as file:
             self.assertEqual(json.load(file), result.summary)
 
+    def test_named_materials_come_from_the_built_in_file_and_own_files(self):
+        scene = blocks()
+        del scene["Materials"]
+        with tempfile.TemporaryDirectory() as folder:
+            own = os.path.join(WORLD.bcast(folder, root=0), "own.xml")
+            if WORLD.rank == 0:
+                with open(own, "w", encoding="utf-8") as file:
+                    file.write('<ParameterList name="Materials"><ParameterList name="alloy"><Parameter name="Based On" value="S355"/>'
+                               '<Parameter name="Yield Strength" value="5e8"/></ParameterList></ParameterList>')
+            WORLD.barrier()
+            scene["Material Files"] = own
+            for body, name in zip(scene["Bodies"].values(), ("S355", "alloy")):
+                body["Material"] = name
+            result = suture.solve(scene)
+        materials = result.summary["parameters"]["Materials"]
+        self.assertEqual({name: material["Yield Strength"] for name, material in materials.items()}, {"S355": 355e6, "alloy": 5e8})
+        factors = [own["factor"] for own in result.summary["safety"]["bodies"].values()]
+        self.assertEqual(result.summary["safety"]["least"], min(factors))
+        with self.assertRaises(suture.InputError) as caught:
+            suture.solve(scene, set={"Bodies/" + next(iter(scene["Bodies"])) + "/Material": "S356"})
+        self.assertIn("Did you mean 'S355'?", str(caught.exception))
+
     def test_text_of_a_scene_is_a_scene(self):
         self.assertEqual(suture.solve(suture.to_xml(blocks())).energy, suture.solve(blocks()).energy)
 

@@ -6,6 +6,7 @@ from .friction import friction_caption
 from .mesh import mesh_figure
 from .picture import Picture, note_on
 from .region import region_of_interest
+from .safety import has_safety, safety_caption, safety_figure
 from .scene import scene_figure
 from .space.pages import pages_in_space
 from .steps import steps_figure
@@ -66,6 +67,8 @@ def plane_pages(run, factor, zoom):
     if region:
         yield Picture("principal_stress_zoom", "principal", f"Detail {'for' if zoom else ''} {region[4]}.".replace("  ", " "),
                       crosses_figure(run, region))
+    if has_safety(run):
+        yield Picture("safety", "von_mises", safety_caption(run), safety_figure(run))
     if run.contact is not None and len(run.contact.points):
         for number, (part, figure) in enumerate(contact_figures(run)):
             yield Picture("contact" if number == 0 else f"contact_{number + 1}", "contact", "Contact pressure and gap along each contact line. "

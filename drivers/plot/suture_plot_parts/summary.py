@@ -16,6 +16,8 @@ SHAPE = {
     "contact!": {"pairs": COUNT, "by_piece": {"*": {"pairs": COUNT, "active": COUNT, "max_pressure": NUMBER, "max_gap": NUMBER,
                                                     "pressure_error_estimate": NUMBER}}},
     "extremes": {"stresses": TEXT, "von_mises": EXTREME, "tension": EXTREME, "compression": EXTREME, "displacement": EXTREME, "pressure": EXTREME},
+    "safety": {"stresses": TEXT, "least": NUMBER, "body": TEXT, "bodies!": {"*": {"factor": NUMBER, "material!": TEXT, "criterion": TEXT, "place": NUMBERS,
+                                                                           "principal_stresses": NUMBERS, "unit": TEXT, "step": COUNT, "time": NUMBER}}},
     "reactions": {"about": NUMBERS, "conditions": {"*": {"kind": TEXT, "force": NUMBERS, "moment": NUMBERS}},
                   "contacts": {"*": {"bodies": TEXTS, "force": NUMBERS, "moment": NUMBERS, "centre": NUMBERS, "closed": NUMBER, "whole": NUMBER}},
                   "sum": {"force": NUMBERS, "moment": NUMBERS}},

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include "SceneResolver.hpp"
@@ -50,17 +51,55 @@ std::string readFile(const std::string& path) {
   return text.str();
 }
 
+/// Reads files that are not known yet, and keeps them.
+SceneCompletion::Reader readerInto(IncludedFiles& files) {
+  return [&files](const std::string& path) -> const IncludedFile& {
+    const auto known = files.find(path);
+    if (known != files.end()) return known->second;
+    IncludedFile& file = files[path];
+    try {
+      file.text = readFile(path);
+    } catch (const InputError& error) {
+      file.failure = error.problems().front().message;
+    }
+    return file;
+  };
+}
+
+std::string folderOf(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+/// Files that complete a scene, read by this process; errors are found again when the scene is parsed.
+IncludedFiles filesFor(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
+  IncludedFiles files;
+  Problems problems;
+  std::vector<std::string> notes;
+  RawList tree = parseTree(text, path, problems);
+  for (const std::string& assignment : overrides) applyOverride(tree, assignment, problems);
+  schema.completion()->complete(tree, folderOf(path), readerInto(files), problems, notes);
+  return files;
+}
+
 }  // namespace
 
 SceneFile readScene(const Comm& comm, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
   std::string text;
   collectivelyOnRoot(comm, "reading " + path, [&] { text = readFile(path); });
   text = broadcast(comm, text);
-  // Every rank checks the same text: all ranks throw the same error, or none does, and no rank waits.
-  return parseScene(text, path, schema, overrides);
+  IncludedFiles included;
+  if (schema.completion() && comm.getSize() > 1) {
+    Packer packer;
+    collectivelyOnRoot(comm, "reading the files of " + path, [&] { packer.put(filesFor(text, path, schema, overrides)); });
+    Unpacker(broadcast(comm, packer.bytes())).get(included);
+  }
+  // Every rank checks the same texts: all ranks throw the same error, or none does, and no rank waits.
+  return parseScene(text, path, schema, overrides, std::nullopt, included);
 }
 
-SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
+SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides,
+                     const std::optional<std::string>& folder, const IncludedFiles& included) {
   Problems problems;
   RawList tree = parseTree(text, path, problems);
   if (tree.parameters.empty() && tree.lists.empty() && !problems.empty()) {  // not XML: do not report missing parameters as well
@@ -71,12 +110,15 @@ SceneFile parseScene(const std::string& text, const std::string& path, const Sch
 
   SceneFile scene;
   scene.path = path;
-  scene.folder = std::filesystem::path(path).parent_path().string();
-  if (scene.folder.empty()) scene.folder = ".";
+  scene.folder = folder.value_or(folderOf(path));
   scene.text = text;
   scene.overrides = overrides;
   scene.parameters = Teuchos::rcp(new Parameters(tree.name.empty() ? "Suture" : tree.name));
+  scene.included = included;
+  std::vector<std::string> notes;
+  if (schema.completion()) schema.completion()->complete(tree, scene.folder, readerInto(scene.included), problems, notes);
   scene.notes = resolve(tree, schema, *scene.parameters, problems);
+  scene.notes.insert(scene.notes.end(), notes.begin(), notes.end());
   problems.throwIfAny();
   return scene;
 }

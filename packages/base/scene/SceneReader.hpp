@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/scene/SceneCompletion.hpp>
 #include <suture/base/scene/Schema.hpp>
 
 #include <string>
@@ -12,7 +13,8 @@ struct SceneFile {
   std::string folder;                   ///< base folder of relative names in the file
   std::string text;                     ///< verbatim
   std::vector<std::string> overrides;   ///< as applied
-  std::vector<std::string> notes;       ///< for the user: parameters without effect
+  std::vector<std::string> notes;       ///< for the user: parameters without effect, entries that replace those of other files
+  IncludedFiles included;               ///< other files that the scene was completed from
   Teuchos::RCP<Parameters> parameters;  ///< resolved; sublist names are full paths as Teuchos writes them
 };
 
@@ -27,8 +29,10 @@ struct SceneFile {
 SceneFile readScene(const Comm& comm, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides = {});
 
 /// The same from a text in memory (tests, embedding programs); `path` is used in messages only. Local.
-SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema,
-                     const std::vector<std::string>& overrides = {});
+/// \param folder  base folder of relative names in the file; default: that of `path`
+/// \param included  files that the scene is completed from, read before; others are read by this process
+SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides = {},
+                     const std::optional<std::string>& folder = std::nullopt, const IncludedFiles& included = {});
 
 /// The resolved parameters as XML (for --print-defaults and /Record). Local.
 std::string toXml(const Parameters& parameters);

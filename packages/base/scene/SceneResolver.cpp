@@ -101,7 +101,7 @@ class Resolver {
         value(*given, parameter, here, resolved);
         Owners own = owners;
         if (parameter.with) own.push_back({path, parameter.with->first, parameter.with->second});
-        if (!own.empty()) remember(parameter, here, resolved, own);
+        if (!own.empty() && !given->isAdded) remember(parameter, here, resolved, own);
       } else if (parameter.fallback) {
         store(*parameter.fallback, parameter.name, true, resolved);
         if (parameter.fitting) fitting_.push_back({path, &parameter});

@@ -211,7 +211,7 @@ void applyOverride(RawList& top, const std::string& assignment, Problems& proble
     return;
   }
   if (!known) known = &list->parameters.emplace_back();
-  *known = {name, "", assignment.substr(equals + 1), true, true};
+  *known = {name, "", assignment.substr(equals + 1), true, true, false};
 }
 
 }  // namespace suture

@@ -13,7 +13,8 @@ struct RawParameter {
   std::string type;  ///< the attribute `type`; empty: not given
   std::string value;
   bool hasValue = true;
-  bool isSet = false;  ///< by --set
+  bool isSet = false;    ///< by --set
+  bool isAdded = false;  ///< from another file (SceneCompletion)
 };
 
 /// A list as written in the file. Names are unique within a list, over parameters and lists together.

@@ -156,6 +156,11 @@ Schema& Schema::texts(const std::string& name, std::optional<std::vector<std::st
   return *this;
 }
 
+Schema& Schema::completedBy(std::shared_ptr<const SceneCompletion> completion) {
+  completion_ = std::move(completion);
+  return *this;
+}
+
 Schema& Schema::orOne() {
   if (parameters_.empty() || parameters_.back().kind != Kind::Texts) throw InternalError("Schema::orOne() must follow texts()");
   parameters_.back().orOne = true;
@@ -206,7 +211,7 @@ Schema& Schema::eachText(const std::string& placeholder, const std::string& doc)
 }
 
 Schema& Schema::choice(const std::string& parameter, const std::string& fallback, const std::map<std::string, Schema>& names,
-                       const std::string& doc, const std::string& beside) {
+                       const std::string& doc, const std::string& beside, const std::vector<std::string>& bare) {
   std::vector<std::string> allowed, docs;
   for (const auto& [name, schema] : names) {
     allowed.push_back(name);
@@ -216,7 +221,7 @@ Schema& Schema::choice(const std::string& parameter, const std::string& fallback
   parameters_.back().allowedDocs = docs;
   parameters_.back().choice = true;
   for (const auto& [name, schema] : names)
-    if (name != beside) list(name, schema);
+    if (name != beside && std::find(bare.begin(), bare.end(), name) == bare.end()) list(name, schema);
   if (const auto found = names.find(beside); found != names.end())
     for (const Parameter& own : found->second.parameters()) {
       claim(own.name);

@@ -12,6 +12,8 @@
 
 namespace suture {
 
+class SceneCompletion;
+
 /// Allowed interval of a number; an open end excludes its value.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
@@ -95,10 +97,16 @@ class Schema {
   /// \param beside  a choice whose parameters are in this list, next to `parameter`, instead of in a sublist; they, too, are checked
   /// but not
   ///                used if another choice is taken
+  /// \param bare  choices without parameters that have no sublist
   Schema& choice(const std::string& parameter, const std::string& fallback, const std::map<std::string, Schema>& names,
-                 const std::string& doc, const std::string& beside = "");
+                 const std::string& doc, const std::string& beside = "", const std::vector<std::string>& bare = {});
+
+  /// Entries from other files complete a scene of this schema before it is checked. Only for the schema of a whole file.
+  Schema& completedBy(std::shared_ptr<const SceneCompletion> completion);
 
   const std::string& doc() const { return doc_; }
+  /// Or null.
+  const SceneCompletion* completion() const { return completion_.get(); }
   const std::vector<Parameter>& parameters() const { return parameters_; }
   const std::vector<std::pair<std::string, Schema>>& lists() const { return lists_; }
   bool requiredList(const std::string& name) const;
@@ -123,6 +131,7 @@ class Schema {
   std::string userListPlaceholder_;
   int leastUserLists_ = 0;
   std::optional<Parameter> userParameter_;
+  std::shared_ptr<const SceneCompletion> completion_;
 };
 
 /// "int", "double", "bool", "string", "Array(double)", ...: the `type` attribute of a parameter of this kind.

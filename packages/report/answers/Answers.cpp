@@ -156,6 +156,45 @@ Json reactionsJson(const Run& run, int dimension) {
   return all;
 }
 
+namespace {
+
+Json safetyOf(const Run& run, const LeastSafety& one, int dimension) {
+  const Material& material = one.material(run.model);
+  const bool isLoaded = one.exists();
+  Json json = {{"factor", isLoaded ? Json(one.factor) : Json()},
+               {"material", material.name},
+               {"criterion", material.strength ? Json(material.strength->name()) : Json()},
+               {"place", isLoaded ? componentsOf(one.place, dimension) : Json()},
+               {"principal_stresses", isLoaded ? Json(one.stress) : Json()},
+               {"unit", unitsOf(*run.scene.parameters).stress}};
+  if (!run.steps.empty()) {
+    json["step"] = isLoaded ? Json(one.step) : Json();
+    json["time"] = isLoaded ? Json(one.time) : Json();
+  }
+  return json;
+}
+
+const LeastSafety& leastOf(const SafetyFactors& safety) {
+  return *std::min_element(safety.ofBodies.begin(), safety.ofBodies.end(),
+                           [](const LeastSafety& a, const LeastSafety& b) { return a.factor < b.factor; });
+}
+
+}  // namespace
+
+Json safetyJson(const Run& run, int dimension) {
+  const SafetyFactors& safety = run.solution.safety;
+  Json all = {{"stresses", run.solution.extremes.recovered ? "recovered at nodes" : "at centroids of elements"},
+              {"least", Json()},
+              {"body", Json()},
+              {"bodies", Json::object()}};
+  for (const LeastSafety& one : safety.ofBodies) all["bodies"][bodyName(run, one.body)] = safetyOf(run, one, dimension);
+  if (const LeastSafety& least = leastOf(safety); least.exists()) {
+    all["least"] = least.factor;
+    all["body"] = bodyName(run, least.body);
+  }
+  return all;
+}
+
 std::string extremesText(const Run& run, int dimension) {
   const Extremes& found = run.solution.extremes;
   if (!found.displacement.exists()) return "";
@@ -170,7 +209,14 @@ std::string extremesText(const Run& run, int dimension) {
   if (const PairResult* pair = largestPressure(run.solution); pair && pair->pressure > 0.0)
     text += format("; contact pressure up to %.3e %s on '%s' at %s", pair->pressure, units.stress.c_str(),
                    contactName(run, pair->line).c_str(), placeText(pair->position, dimension).c_str());
-  return text + "\n";
+  text += "\n";
+  if (run.solution.safety.ofBodies.empty() || !leastOf(run.solution.safety).exists()) return text;
+  const LeastSafety& least = leastOf(run.solution.safety);
+  const Material& material = least.material(run.model);
+  text += format("   safety factor at least %.3g in '%s' at %s, by %s of '%s'", least.factor, bodyName(run, least.body).c_str(),
+                 placeText(least.place, dimension).c_str(), material.strength->name().c_str(), material.name.c_str());
+  if (least.step > 0) text += format(" in load step %d", least.step);
+  return text + (found.recovered ? " (recovered at nodes)\n" : " (at centroids)\n");
 }
 
 }  // namespace suture

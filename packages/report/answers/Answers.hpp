@@ -34,6 +34,9 @@ const PairResult* largestPressure(const Solution& solution);
 nlohmann::ordered_json extremesJson(const Run& run, int dimension);
 nlohmann::ordered_json reactionsJson(const Run& run, int dimension);
 
+/// `safety` of summary.json. On rank 0.
+nlohmann::ordered_json safetyJson(const Run& run, int dimension);
+
 /// Lines of the console: the extremes with bodies and positions; empty if no extremes were computed. On rank 0.
 std::string extremesText(const Run& run, int dimension);
 

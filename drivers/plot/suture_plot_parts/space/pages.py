@@ -3,12 +3,14 @@ from ..deformation import is_given, seeming
 from ..enlarged import enlargement
 from ..friction import has_friction
 from ..picture import Picture, note_on
+from ..safety import has_safety, safety_caption
 from ..stresses import taken_at
 from .contact_page import contact_figures
 from .contact_surface import contact_names, contact_surfaces
 from .cut import chosen_plane
 from .cut_page import cut_figure
 from .outside import Scene, deformation_figure, mesh_figure, principal_figure, von_mises_figure
+from .safety_page import safety_figure
 from .scene_page import scene_figure
 from .gaps import gaps_of_surface
 from .seen_from import chosen_view
@@ -40,6 +42,8 @@ def pages_in_space(run, factor, view, cut):
     yield Picture("principal_stress", "principal", f"The principal stress of largest magnitude on the outside, {taken_at(run)}; tension "
                   "red, compression blue. The rings mark the overall maxima of tension and compression, dashed if bodies hide them.",
                   principal_figure(scene))
+    if has_safety(run):
+        yield Picture("safety", "von_mises", safety_caption(run), safety_figure(scene))
     single = single_pairs(run)
     rubbing = " With friction: tangential traction, and its ratio to the limit of the law." if run.contact is not None and has_friction(run.contact) else ""
     for number, (part, figure) in enumerate(contact_figures(run)):

@@ -1,0 +1,23 @@
+// A bar with a second material in its right half.
+Point(1) = {0, 0, 0, 0.5};
+Point(2) = {2, 0, 0, 0.5};
+Point(3) = {4, 0, 0, 0.5};
+Point(4) = {4, 1, 0, 0.5};
+Point(5) = {2, 1, 0, 0.5};
+Point(6) = {0, 1, 0, 0.5};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 6};
+Line(6) = {6, 1};
+Line(7) = {2, 5};
+Curve Loop(1) = {1, 7, 5, 6};
+Curve Loop(2) = {2, 3, 4, -7};
+Plane Surface(1) = {1};
+Plane Surface(2) = {2};
+Physical Surface("bar") = {1, 2};
+Physical Surface("right half") = {2};
+Physical Curve("left") = {6};
+Physical Curve("right") = {3};
+Physical Curve("bottom") = {1, 2};
