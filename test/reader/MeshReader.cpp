@@ -56,7 +56,8 @@ TEUCHOS_UNIT_TEST(MeshReader, ReportsUnreadableFiles) {
   folder.write("command.geo", "Foo bar;\n");
   folder.write("variable.geo", "a = 1;\nb = bar + a;\n");
   folder.write("a.h5", "garbage");
-  SUTURE_CHECK_SAYS(said(fileParameter("a.vtk"), folder.path()), "Mesh/File: 'a.vtk' ends with '.vtk'; expected one of .geo, .msh, .h5, .step");
+  SUTURE_CHECK_SAYS(said(fileParameter("a.vtk"), folder.path()),
+                    "Mesh/File: 'a.vtk' ends with '.vtk'; expected one of .geo, .msh, .h5, .step");
   SUTURE_CHECK_SAYS(said(fileParameter("none.geo"), folder.path()), "Mesh/File: there is no file " + folder.path() + "/none.geo");
   SUTURE_CHECK_SAYS(said(fileParameter("none.h5"), folder.path()), "none.h5");
   SUTURE_CHECK_SAYS(said(fileParameter("a.h5"), folder.path()), "a.h5");
@@ -83,8 +84,7 @@ TEUCHOS_UNIT_TEST(MeshReader, RefusesConstantsWhereNothingIsMeshed) {
 }
 
 TEUCHOS_UNIT_TEST(MeshReader, RefusesSizeAndOrderWhereNothingIsMeshed) {
-  const std::string both =
-      "<Parameter name=\"Size\" type=\"double\" value=\"0.5\"/><Parameter name=\"Order\" type=\"int\" value=\"2\"/>";
+  const std::string both = "<Parameter name=\"Size\" type=\"double\" value=\"0.5\"/><Parameter name=\"Order\" type=\"int\" value=\"2\"/>";
   for (const std::string& source : {fileParameter("a.h5"), fileParameter("a.msh"), boxesOfTwo}) {
     const std::string text = said(source + both, ".");
     SUTURE_CHECK_SAYS(text, "Mesh/Size: needs a file that Gmsh meshes");

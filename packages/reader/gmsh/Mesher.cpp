@@ -176,6 +176,8 @@ bool meshGeo(const Order& order, GmshMesh& mesh) {
   });
 }
 
+constexpr double kRoundOff = 1e-13;  // coordinates of OpenCASCADE below this fraction of the largest one are zero
+
 bool meshCad(const Order& order, GmshMesh& mesh) {
   std::optional<CadModel> model;
   if (!good([&] { model.emplace(order.file); })) return false;
@@ -188,7 +190,9 @@ bool meshCad(const Order& order, GmshMesh& mesh) {
     gmsh::model::mesh::generate(3);
     mesh = readMesh();
     mesh.descriptions = descriptions;
-    for (double& x : mesh.coordinates) x *= order.scale;
+    double extent = 0.0;
+    for (const double x : mesh.coordinates) extent = std::max(extent, std::abs(x));
+    for (double& x : mesh.coordinates) x = std::abs(x) > kRoundOff * extent ? order.scale * x : 0.0;
   });
 }
 
