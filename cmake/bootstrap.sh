@@ -26,7 +26,7 @@ packages="g++ cmake ninja-build ccache git pkg-config openmpi-bin libopenmpi-dev
   libtrilinos-kokkos-kernels-dev libtrilinos-trilinosss-dev libtrilinos-epetra-dev libtrilinos-epetraext-dev libtrilinos-triutils-dev
   libtrilinos-aztecoo-dev libtrilinos-xpetra-dev libtrilinos-thyra-dev libtrilinos-rtop-dev libtrilinos-shylu-dev
   libtrilinos-intrepid2-dev libtrilinos-shards-dev libtrilinos-sacado-dev libptscotch-dev libmumps-dev
-  libmetis-dev libsuitesparse-dev libeigen3-dev libhdf5-openmpi-dev libgmsh-dev libopenblas-dev libcli11-dev nlohmann-json3-dev
+  libmetis-dev libsuitesparse-dev libeigen3-dev libhdf5-openmpi-dev libgmsh-dev gmsh libopenblas-dev libcli11-dev nlohmann-json3-dev
   libmuparser-dev
   python3 python3-numpy python3-h5py python3-matplotlib python3-pil python3-vtk9 libjs-three
   python3-meshio python3-netcdf4 python3-jsonschema

@@ -1,5 +1,5 @@
-// Writes a scene file for a geometry or mesh: lists its groups, identifies its bodies, and proposes contacts between sides that face each
-// other. The scene can be solved as it is.
+// Writes a scene file for a geometry, a CAD file or a mesh: lists its groups, identifies its bodies, and proposes contacts between sides
+// that face each other. The scene can be solved as it is.
 #include <CLI/CLI.hpp>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -12,6 +12,8 @@
 #include <suture/base/Point.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/reader/MeshReader.hpp>
+#include <suture/reader/cad/CadFile.hpp>
+#include <suture/reader/cad/SideDescriptions.hpp>
 #include <suture/report/Format.hpp>
 #include <suture/report/SceneSchema.hpp>
 
@@ -34,7 +36,9 @@ struct Options {
 
   std::optional<int> parse(int argc, char* argv[]) {
     const auto describe = [&](CLI::App& app) {
-      app.add_option("GEOMETRY", geometry, "Geometry (.geo) or mesh (.msh, .h5)")->required()->type_name("FILE");
+      app.add_option("GEOMETRY", geometry, "Geometry (.geo), CAD file (.step, .stp, .iges, .igs, .brep, .stl) or mesh (.msh, .h5)")
+          ->required()
+          ->type_name("FILE");
       app.add_option("--output", output, "Scene file to write; default: <geometry>.xml in the current folder")->type_name("FILE");
       app.add_option("--model", model, "2D: Plane Strain (default) | Plane Stress | Axisymmetric; 3D: Solid")
           ->check(CLI::IsMember(models))
@@ -44,15 +48,20 @@ struct Options {
           ->check([](const std::string& text) {
             return text.find('=') == std::string::npos ? "found '" + text + "', expected NAME=VALUE" : std::string();
           });
-      app.add_option("--units", units,
-                     "Names of the units of length, force and stress, for output; nothing is converted: all numbers must be in these units")
+      app.add_option(
+             "--units", units,
+             "Units of length, force and stress; mm, m and in select \"mm, N, MPa\", \"m, N, Pa\" and \"in, lbf, psi\". STEP and IGES "
+             "files are converted to this unit of length; everything else must be in these units")
           ->type_name("NAMES")
           ->capture_default_str()
           ->each([this](const std::string&) { unitsGiven = true; });
       app.add_flag("--force", force, "Overwrite an existing scene file");
     };
-    return parseCommandLine(argc, argv, "suture_new",
-                            "Writes a scene for a geometry or mesh. It can be solved as it is; placeholders are marked FILL IN.", describe);
+    const std::optional<int> end = parseCommandLine(
+        argc, argv, "suture_new",
+        "Writes a scene for a geometry, a CAD file or a mesh. It can be solved as it is; placeholders are marked FILL IN.", describe);
+    units = completeUnits(units);
+    return end;
   }
 };
 
@@ -74,8 +83,10 @@ std::string modelOf(const Mesh& mesh, const Options& options) {
   return options.model;
 }
 
-NewScene propose(Mesh& mesh, const Options& options, const fs::path& output) {
+NewScene propose(Mesh& mesh, const SideDescriptions& descriptions, const Options& options, const fs::path& output) {
   NewScene scene;
+  scene.descriptions = descriptions;
+  scene.isConverted = hasLengthUnit(cadFormat(options.geometry));
   scene.model = modelOf(mesh, options);
   scene.bodies = proposeBodies(mesh);
   Problems problems;
@@ -113,7 +124,7 @@ std::string unitsHint(const NewScene& scene) {
     sizes.push_back(std::max({edges[0], edges[1], edges[2]}));
     if (sizes.back() > sizes[largest]) largest = sizes.size() - 1;
   }
-  if (sizes.empty() || sizes[largest] <= kLarge) return "";
+  if (scene.isConverted || sizes.empty() || sizes[largest] <= kLarge) return "";
   return "   note: '" + scene.bodies.names[largest] + "' is " + format("%g", sizes[largest]) +
          " m long in the default units (m, N, Pa). If the geometry is in mm, add: --units \"mm, N, MPa\" --force\n";
 }
@@ -126,6 +137,7 @@ void tell(std::ostream& out, const NewScene& scene, const fs::path& output, bool
       << counted(static_cast<long long>(scene.contacts.all.size()), "contact") << " proposed\n";
   for (const proposal::Contact& contact : scene.contacts.all)
     out << "   contact: " << joinNames(contact.sideA) << " on " << joinNames(contact.sideB) << ", " << distanceText(contact) << "\n";
+  if (scene.bodies.names.size() > 1) out << "   " << searchText(scene.contacts) << "\n";
   for (const proposal::Contact& contact : scene.contacts.all)
     for (const std::string& problem : contact.problems) out << "   note: left out of the scene: " << problem << "\n";
   for (const std::string& note : scene.contacts.notes) out << "   note: " << note << "\n";
@@ -140,7 +152,8 @@ void tell(std::ostream& out, const NewScene& scene, const fs::path& output, bool
     out << "   note: body '" << body << "' has no " << sides
         << ": it cannot be held, and the scene does not run yet. Name one of its sides\n";
   if (!unitsGiven) out << unitsHint(scene);
-  out << "   next: replace the placeholders marked FILL IN, then run: suture_solve " << output.string() << std::endl;
+  out << "   next: suture_plot --scene " << output.string() << " draws the parts with the names of their sides\n"
+      << "   next: replace the placeholders marked FILL IN, then run: suture_solve " << output.string() << std::endl;
 }
 
 ExitCode run(const CommPtr& comm, const Options& options) {
@@ -150,12 +163,13 @@ ExitCode run(const CommPtr& comm, const Options& options) {
       throw InputError("--output", "'" + output.string() + "' exists; choose another name, or overwrite it with --force");
     return 0;
   });
-  std::vector<std::string> settings{"Mesh/File=" + fs::absolute(options.geometry).string()};
+  std::vector<std::string> settings{"Mesh/File=" + fs::absolute(options.geometry).string(), "Units=" + options.units};
   for (const std::string& constant : options.constants) settings.push_back("Mesh/Constants/" + constant);
   const SceneFile file = parseScene("<ParameterList name=\"Suture\"/>", options.geometry, settingsSchema(), settings);
-  Mesh mesh = readMesh(*comm, file.parameters->sublist("Mesh"), ".");
+  SideDescriptions descriptions;
+  Mesh mesh = readMesh(*comm, file.parameters->sublist("Mesh"), ".", descriptions);
   const NewScene scene = onRoot(*comm, "reading the groups", [&] {
-    NewScene made = propose(mesh, options, output);
+    NewScene made = propose(mesh, descriptions, options, output);
     write(output, sceneText(made));
     return made;
   });

@@ -32,6 +32,16 @@ std::pair<std::vector<int>, std::vector<int>> connectedParts(const Mesh& mesh) {
   return {part, size};
 }
 
+/// Alphabetic order, in which "bolt_2" precedes "bolt_10".
+bool comesBefore(const std::string& a, const std::string& b) {
+  const auto key = [](const std::string& name) {
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    const std::string number = name.substr(digits);
+    return std::make_tuple(name.substr(0, digits), number.size(), number);
+  };
+  return key(a) < key(b);
+}
+
 }  // namespace
 
 Bodies proposeBodies(const Mesh& mesh) {
@@ -62,6 +72,7 @@ Bodies proposeBodies(const Mesh& mesh) {
     const int body = owner[*own.begin()];
     if (body >= 0) result.parts.emplace_back(name, result.names[body]);
   }
+  std::sort(result.names.begin(), result.names.end(), comesBefore);
   std::vector<int> first(size.size(), -1);
   for (int e = mesh.elements() - 1; e >= 0; --e) first[part[e]] = e;
   for (std::size_t p = 0; p < size.size(); ++p) {

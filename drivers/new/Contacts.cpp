@@ -263,6 +263,9 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   }
 
   check(mesh, result.all);
+  for (std::size_t a = 0; a < boxes.size(); ++a)
+    for (std::size_t b = a + 1; b < boxes.size(); ++b)
+      result.reach = std::max(result.reach, reach(static_cast<int>(a), static_cast<int>(b)));
 
   // Once per pair of bodies. Sides beyond the ends of a proposed contact also face each other, but are no part of it.
   std::set<std::pair<int, int>> told;

@@ -19,6 +19,12 @@ double sizeOf(const std::string& unit) {
 
 }  // namespace
 
+std::string completeUnits(const std::string& units) {
+  static const std::map<std::string, std::string> known{{"mm", "mm, N, MPa"}, {"m", "m, N, Pa"}, {"in", "in, lbf, psi"}};
+  const auto at = known.find(trimmed(units));
+  return at == known.end() ? units : at->second;
+}
+
 ExampleUnits::ExampleUnits(const std::string& names) : names_(names) {
   std::istringstream words(names);
   for (double* size : {&length_, &force_, &stress_}) {

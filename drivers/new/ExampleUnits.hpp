@@ -3,6 +3,9 @@
 
 namespace suture::proposal {
 
+/// "mm" -> "mm, N, MPa", "m" -> "m, N, Pa", "in" -> "in, lbf, psi"; any other text is unchanged.
+std::string completeUnits(const std::string& units);
+
 /// Units of a new scene, and its example material and loads in these units. Units of unknown size are treated as SI;
 /// the numbers are placeholders marked FILL IN.
 class ExampleUnits {

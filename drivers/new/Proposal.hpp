@@ -44,6 +44,7 @@ std::string nameOf(const Contact& contact);
 struct Contacts {
   std::vector<Contact> all;
   std::vector<std::string> notes;  ///< sides that face another body but belong to no group
+  double reach = 0.0;              ///< largest distance that was searched, over all pairs of bodies [length]
 };
 /// Nodes face each other if their normals are opposite and their distance is below the node spacing or a twentieth of the smaller
 /// body. Local (rank 0).

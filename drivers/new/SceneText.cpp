@@ -28,16 +28,15 @@ std::string number(double value) {
   return text.str();
 }
 
-/// Components without round-off digits. \param scale  of the numbers from which they were computed
-std::string components(const Point& p, int dimension, double scale) {
-  constexpr double kRounding = 1e-12;
+/// Components without round-off digits. \param least  smaller components are round-off
+std::string components(const Point& p, int dimension, double least) {
   std::string text;
-  for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(std::abs(p[k]) > kRounding * scale ? p[k] : 0.0);
+  for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(std::abs(p[k]) > least ? p[k] : 0.0);
   return text;
 }
 
-/// The value of an Array(double).
-std::string vector(const Point& p, int dimension) { return "{" + components(p, dimension, norm(p)) + "}"; }
+/// The value of an Array(double), without components far below the accuracy of a mean normal.
+std::string vector(const Point& p, int dimension) { return "{" + components(p, dimension, 1e-5 * norm(p)) + "}"; }
 
 /// Names of neighbouring lists, including lists in comments, since each may be uncommented.
 class Names {
@@ -115,17 +114,22 @@ std::string physicalSide(const NewScene& scene) { return scene.dimension == 2 ? 
 void listGroups(Writer& out, const NewScene& scene) {
   double scale = 0.0;
   for (const auto& [low, high] : scene.boxes) scale = std::max({scale, norm(low), norm(high)});
-  const auto place = [&](const Point& p) { return "(" + components(p, scene.dimension, scale) + ")"; };
+  // A CAD kernel is accurate to about 1e-10 of the drawing.
+  const auto place = [&](const Point& p) { return "(" + components(p, scene.dimension, 1e-9 * scale) + ")"; };
   out.line(std::string("<!-- ") + (scene.dimension == 2 ? "Surface" : "Volume") + " groups (bodies and their parts), " + sideWord(scene) +
            " groups (for conditions and contact):");
   for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
     out.line(
         inComment("  body    " + scene.bodies.names[b] + "  from " + place(scene.boxes[b].first) + " to " + place(scene.boxes[b].second)));
   for (const auto& [part, body] : scene.bodies.parts) out.line(inComment("  part    " + part + "  of " + body));
+  const auto shape = [&](const Group& group) {
+    const auto at = scene.descriptions.find(group.name);
+    return at == scene.descriptions.end() ? std::string() : ", " + at->second;
+  };
   for (const Group& group : scene.groups)
     out.line(inComment("  " + (sideWord(scene) + "   ").substr(0, 8) + group.name + "  " +
-                       (group.body >= 0 ? "on " + scene.bodies.names[group.body] : std::string("on several bodies")) + ", from " +
-                       place(group.low) + " to " + place(group.high) + ", " + std::to_string(group.sides) +
+                       (group.body >= 0 ? "on " + scene.bodies.names[group.body] : std::string("on several bodies")) + shape(group) +
+                       ", from " + place(group.low) + " to " + place(group.high) + ", " + std::to_string(group.sides) +
                        (scene.dimension == 2 ? " element edges, length " : " element faces, area ") + number(group.size)));
   out.line("-->");
 }
@@ -262,6 +266,11 @@ void conditions(Writer& out, const NewScene& scene) {
   out.close();
 }
 
+std::string unitsWords(const NewScene& scene) {
+  const std::string all = "FILL IN: names for output; nothing is converted: give all numbers in these units";
+  return scene.isConverted ? "FILL IN: the mesh is made in this unit of length; give all other numbers in these units" : all;
+}
+
 void contacts(Writer& out, const NewScene& scene) {
   if (scene.contacts.all.empty()) {
     out.example("no " + sideWord(scene) + " groups of different bodies face each other; a contact would be:",
@@ -270,6 +279,7 @@ void contacts(Writer& out, const NewScene& scene) {
     return;
   }
   out.open("Contact");
+  out.comment(searchText(scene.contacts));
   Names given;
   for (const Contact& contact : scene.contacts.all) {
     const std::string name = given.unique(nameOf(contact));
@@ -294,6 +304,11 @@ std::string distanceText(const Contact& contact) {
   return contact.gap < 0 ? "overlap of " + number(-contact.gap) + ", an interference fit" : "minimum distance " + number(contact.gap);
 }
 
+std::string searchText(const Contacts& contacts) {
+  return "contacts: sides of different bodies that face each other, up to " + number(contacts.reach) +
+         " apart (a twentieth of the smaller body, at least 1.5 element edges)";
+}
+
 std::string sceneText(const NewScene& scene) {
   Writer out;
   out.open("Suture");
@@ -307,7 +322,7 @@ std::string sceneText(const NewScene& scene) {
   out.space();
   out.parameter("Title", "string", scene.title);
   out.parameter("Model", "string", scene.model, scene.dimension == 2 ? "Plane Strain | Plane Stress | Axisymmetric" : "");
-  out.parameter("Units", "string", scene.units.names(), "FILL IN: names for output; nothing is converted: give all numbers in these units");
+  out.parameter("Units", "string", scene.units.names(), unitsWords(scene));
   out.space();
   out.open("Mesh");
   out.parameter("File", "string", scene.file);

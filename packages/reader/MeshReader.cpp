@@ -1,9 +1,12 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Numbers.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/reader/Hdf5Mesh.hpp>
 #include <suture/reader/MeshReader.hpp>
+#include <suture/reader/cad/CadFile.hpp>
+#include <suture/reader/cad/SideDescriptions.hpp>
 #include <suture/reader/gmsh/GmshReader.hpp>
 
 #include <Teuchos_Array.hpp>
@@ -103,9 +106,39 @@ std::map<std::string, double> constantsOf(const Parameters& mesh) {
 // Source of the mesh, checked identically on all ranks; the check does not need the file.
 struct Source {
   std::string path, extension;  ///< file and its extension; empty: a generator
+  CadFormat cad = CadFormat::None;
   std::map<std::string, double> constants;
-  double factor = 1;
+  double factor = 1, largest = 0;
+  int order = 0;
+  std::string unit;
 };
+
+const char* const kNoUnit = "unknown";
+
+std::vector<std::string> lengthUnits() { return {"mm", "cm", "m", "um", "in", "ft", kNoUnit}; }
+
+/// Unit of length in the scene's Units, "mm, N, MPa".
+std::string unitOfScene(const Parameters& scene) {
+  if (!scene.isType<std::string>("Units")) return kNoUnit;
+  const std::string& names = scene.get<std::string>("Units");
+  const std::string first = trimmed(names.substr(0, names.find(',')));
+  return millimetresOf(first) > 0 ? first : kNoUnit;
+}
+
+/// Parameters that only some kinds of files can obey.
+void checkApplies(const Parameters& mesh, const Source& source, Problems& problems) {
+  const bool geo = source.extension == ".geo", meshed = geo || source.cad != CadFormat::None;
+  const std::string found = source.path.empty() ? "a Generator" : "a " + source.extension + " file";
+  const auto refuse = [&](bool given, bool applies, const std::string& name, const std::string& why) {
+    if (given && !applies) problems.add(pathOf(mesh, name), why);
+  };
+  refuse(!source.constants.empty(), geo, "Constants", "needs a .geo file, found " + found);
+  const std::string meshesOnly = "needs a file that Gmsh meshes (.geo, " + joinNames(cadEndings()) + "), found " + found;
+  const std::string generator = source.path.empty() ? ": set Cell and Cells of its boxes" : ", which is a mesh already";
+  refuse(source.factor != 1, meshed, "Mesh Size Factor", meshesOnly + generator);
+  refuse(source.largest > 0, meshed, "Size", meshesOnly + generator);
+  refuse(source.order > 0, meshed, "Order", meshesOnly + generator);
+}
 
 Source sourceOf(const Parameters& mesh, const std::string& folder) {
   Problems problems;
@@ -118,18 +151,19 @@ Source sourceOf(const Parameters& mesh, const std::string& folder) {
     const fs::path name = mesh.get<std::string>("File");
     source.path = (name.is_absolute() ? name : fs::path(folder) / name).lexically_normal().string();
     source.extension = name.extension().string();
-    const std::vector<std::string> known{".geo", ".msh", ".h5"};
-    if (std::find(known.begin(), known.end(), source.extension) == known.end())
+    source.cad = cadFormat(source.path);
+    std::vector<std::string> known{".geo", ".msh", ".h5"};
+    known.insert(known.end(), cadEndings().begin(), cadEndings().end());
+    if (source.cad == CadFormat::None && std::find(known.begin(), known.end(), source.extension) == known.end())
       problems.add(pathOf(mesh, "File"),
                    "'" + name.string() + "' ends with '" + source.extension + "'; expected one of " + joinNames(known));
   }
   source.constants = constantsOf(mesh);
   source.factor = mesh.get<double>("Mesh Size Factor");
-  if (source.extension != ".geo") {
-    const std::string why = "needs a .geo file: only .geo files are meshed";
-    if (!source.constants.empty()) problems.add(pathOf(mesh, "Constants"), why);
-    if (source.factor != 1) problems.add(pathOf(mesh, "Mesh Size Factor"), why);
-  }
+  if (mesh.isParameter("Size")) source.largest = mesh.get<double>("Size");
+  if (mesh.isParameter("Order")) source.order = mesh.get<int>("Order");
+  source.unit = mesh.get<std::string>("Length Unit");
+  checkApplies(mesh, source, problems);
   problems.throwIfAny();
   return source;
 }
@@ -138,7 +172,10 @@ Source sourceOf(const Parameters& mesh, const std::string& folder) {
 
 Schema meshSchema() {
   return Schema("source of the mesh: a File or a Generator")
-      .text("File", std::nullopt, "mesh file, relative to the scene: .geo (meshed by Gmsh), .msh, or Suture's own .h5")
+      .text("File", std::nullopt,
+            "file, relative to the scene: a geometry that Gmsh meshes (.geo, or CAD: .step, .stp, .iges, .igs, .brep, .stl), a mesh "
+            "(.msh), or "
+            "Suture's own .h5")
       .optional()
       .list("Constants",
             Schema("constants of a .geo file").eachReal("constant", "value that replaces that of DefineConstant in the .geo file"))
@@ -146,9 +183,23 @@ Schema meshSchema() {
           "Allow Programs", false,
           "permit a .geo file to run programs (SystemCall), write files, read any file and end Gmsh; false: such statements are refused")
       .real("Time Limit", 600.0,
-            "time limit of Gmsh for a .geo file; the statements of the file, read before it is meshed, may take a tenth of it",
+            "time limit of Gmsh for a .geo or CAD file; the statements of a .geo file, read before it is meshed, may take a tenth of it",
             Range::positive(), "s")
-      .real("Mesh Size Factor", 1.0, "multiplies all mesh sizes of a .geo file", Range::positive())
+      .real("Mesh Size Factor", 1.0, "multiplies all mesh sizes of a .geo or CAD file", Range::positive())
+      .real(
+          "Size", std::nullopt,
+          "largest size of elements of a .geo or CAD file (multiplied by Mesh Size Factor); by default as the .geo file says, for CAD from "
+          "curvature and thickness",
+          Range::positive(), "length")
+      .optional()
+      .integer("Order", std::nullopt, "order of the elements of a .geo or CAD file: 1 or 2; by default as the .geo file says, 2 for CAD",
+               Range{1, 2, false, false, {}})
+      .optional()
+      .oneOf(
+          "Length Unit", kNoUnit, lengthUnits(),
+          "unit of length of the mesh of a STEP or IGES file, which is converted to it; by default the first of the scene's Units. Other "
+          "files have no units, and their numbers are taken as they are")
+      .fittingDefault(unitOfScene)
       .choice("Generator", "None",
               {{"None", Schema("the mesh is in File")},
                {kGivenMesh, Schema("the program that uses the library gives the mesh: arrays in Python")},
@@ -159,6 +210,11 @@ Schema meshSchema() {
 std::string meshFile(const Parameters& mesh, const std::string& folder) { return sourceOf(mesh, folder).path; }
 
 Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder) {
+  SideDescriptions unused;
+  return readMesh(comm, mesh, folder, unused);
+}
+
+Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder, SideDescriptions& descriptions) {
   Source source;
   collectively(comm, "reading the scene's Mesh", [&] { source = sourceOf(mesh, folder); });
   if (source.extension == ".h5") return readHdf5Mesh(comm, source.path);
@@ -173,7 +229,16 @@ Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folde
     }
     std::error_code failed;
     if (!fs::is_regular_file(source.path, failed)) throw InputError(pathOf(mesh, "File"), "there is no file " + source.path);
-    made = readGmsh({source.path, source.constants, source.factor, mesh.get<double>("Time Limit"), mesh.get<bool>("Allow Programs")});
+    GmshInput input;
+    input.path = source.path;
+    input.constants = source.constants;
+    input.meshSizeFactor = source.factor;
+    input.seconds = mesh.get<double>("Time Limit");
+    input.allowPrograms = mesh.get<bool>("Allow Programs");
+    input.order = source.order;
+    input.largest = source.largest;
+    input.unit = source.unit;
+    made = readGmsh(input, &descriptions);
   });
   return made;
 }

@@ -1,4 +1,4 @@
-"""Randomly mutated inputs: scenes, geometries, meshes and checkpoints. The program must solve each of them, or refuse it within the time limit
+"""Randomly mutated inputs: scenes, geometries, CAD files, meshes and checkpoints. The program must solve each of them, or refuse it within the time limit
 with a message and an exit code of the contract; it never crashes, hangs, or executes commands from a file.
 
 attack.py --solve PROGRAM --partition PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER [--count N] [--seed S] [--first I] [--both] [--keep]
@@ -123,6 +123,24 @@ PLATES = """<ParameterList name="Suture">
 """
 
 
+# A block with a hole from an IGES file, and an assembly from a STEP file, held and pulled.
+CAD = pathlib.Path(__file__).resolve().parents[1] / "reader" / "cad"
+CAD_BODIES = {"solid.igs": ("body_1",), "faces.igs": ("body_1",), "bolted_joint_in.step": ("base_plate_steel", "bolt_1", "bolt_2")}
+
+
+def cad_scene(file, bodies):
+    held = "".join(f"""<ParameterList name="{end} {body}"><Parameter name="Group" type="string" value="{body}_{end}"/>
+      <Parameter name="Type" type="string" value="Displacement"/><Parameter name="Value" type="Array(double)" value="{{0, 0, {move}}}"/></ParameterList>"""
+                   for body in bodies for end, move in (("bottom", 0), ("top", 1e-4)))
+    return f"""<ParameterList name="Suture"><Parameter name="Units" type="string" value="mm, N, MPa"/>
+  <ParameterList name="Mesh"><Parameter name="File" type="string" value="{file}"/></ParameterList>
+  <ParameterList name="Bodies">{"".join(f'<ParameterList name="{b}"><Parameter name="Material" type="string" value="m"/></ParameterList>' for b in bodies)}
+  </ParameterList><ParameterList name="Materials"><ParameterList name="m">
+    <Parameter name="Young Modulus" type="double" value="1e5"/><Parameter name="Poisson Ratio" type="double" value="0.3"/></ParameterList></ParameterList>
+  <ParameterList name="Boundary Conditions">{held}</ParameterList></ParameterList>
+"""
+
+
 # Mutations of text or bytes.
 
 def attributes(text, name):
@@ -215,6 +233,13 @@ def mutate_hdf5(rng, data):
     return mutate_bytes(rng, data)
 
 
+def mutate_evil(rng, text):
+    """Statements of Gmsh in a file of another kind."""
+    lines = text.split("\n")
+    lines.insert(rng.choice([0, rng.randrange(len(lines))]), rng.choice(EVIL))
+    return "\n".join(lines).encode()
+
+
 def mutate_geo(rng, text):
     kind = rng.choice(["evil", "evil", "evil", "numbers", "lines", "bytes"])
     if kind == "evil":
@@ -227,9 +252,9 @@ def mutate_geo(rng, text):
 def mutant(i, folder):
     """Writes the files of mutant i. Returns its command-line arguments."""
     rng = random.Random(f"{options.seed}/{i}")
-    kind = ["xml blocks", "geo", "msh", "mesh h5", "checkpoint", "xml blocks", "cut h5", "xml tunnel", "command line"][i % 9]
+    kind = ["xml blocks", "geo", "msh", "mesh h5", "checkpoint", "xml blocks", "cut h5", "xml tunnel", "command line", "cad"][i % 10]
     scene = folder / "scene.xml"
-    words = ["--set", "Mesh/Time Limit=20"] if kind in ("geo", "msh", "xml tunnel") else []
+    words = ["--set", "Mesh/Time Limit=20"] if kind in ("geo", "msh", "xml tunnel", "cad") else []
     if kind == "xml blocks":
         scene.write_bytes(mutate_xml(rng, BLOCKS))
     elif kind == "xml tunnel":
@@ -240,6 +265,12 @@ def mutant(i, folder):
         scene.write_text(TUNNEL)
         (folder / "tunnel.geo").write_bytes(mutate_geo(rng, GEO))
         words += FEW
+    elif kind == "cad":
+        name = rng.choice(sorted(CAD_BODIES))
+        scene.write_text(cad_scene(name, CAD_BODIES[name]))
+        mutation = rng.choice([mutate_numbers, mutate_numbers, mutate_lines, lambda r, t: mutate_bytes(r, t.encode()), mutate_evil, lambda r, t: t.encode()])
+        (folder / name).write_bytes(mutation(rng, (CAD / name).read_text()))
+        words += ["--set", "Mesh/Order=1", "--set", "Mesh/Mesh Size Factor=2"]
     elif kind == "msh":
         scene.write_text(PLATES)
         text = two_rectangles(rng.choice(["2.2", "4.1"]))
@@ -333,7 +364,7 @@ def attack(i, ranks):
 counts, longest = {}, 0.0
 try:
     for i in range(options.first, options.first + options.count):
-        for ranks in (1, 2) if options.both else (1 + i // 9 % 2,):
+        for ranks in (1, 2) if options.both else (1 + i // 10 % 2,):
             kind, code, seconds = attack(i, ranks)
             counts[kind, code] = counts.get((kind, code), 0) + 1
             longest = max(longest, seconds)

@@ -17,7 +17,7 @@ KINDS = [(re.compile(pattern), what) for pattern, what in (
     (r"%(\.\d+)?[sdgefu]\b", "a format that was not filled in"),
 )]
 # Correct as they are.
-RIGHT = re.compile(r"\bof at (least|most)\b|\bgo(es)? on\b")
+RIGHT = re.compile(r"\bof at (least|most)\b|\bgo(es)? on\b|(?<=\d )in(?= in )")  # the last one: a length in inches
 
 
 def faults(text):

@@ -56,7 +56,8 @@ TEUCHOS_UNIT_TEST(MeshReader, ReportsUnreadableFiles) {
   folder.write("command.geo", "Foo bar;\n");
   folder.write("variable.geo", "a = 1;\nb = bar + a;\n");
   folder.write("a.h5", "garbage");
-  SUTURE_CHECK_SAYS(said(fileParameter("a.vtk"), folder.path()), "Mesh/File: 'a.vtk' ends with '.vtk'; expected one of .geo, .msh, .h5");
+  SUTURE_CHECK_SAYS(said(fileParameter("a.vtk"), folder.path()),
+                    "Mesh/File: 'a.vtk' ends with '.vtk'; expected one of .geo, .msh, .h5, .step");
   SUTURE_CHECK_SAYS(said(fileParameter("none.geo"), folder.path()), "Mesh/File: there is no file " + folder.path() + "/none.geo");
   SUTURE_CHECK_SAYS(said(fileParameter("none.h5"), folder.path()), "none.h5");
   SUTURE_CHECK_SAYS(said(fileParameter("a.h5"), folder.path()), "a.h5");
@@ -79,10 +80,33 @@ TEUCHOS_UNIT_TEST(MeshReader, RefusesConstantsWhereNothingIsMeshed) {
       "<Parameter name=\"Mesh Size Factor\" type=\"double\" value=\"0.5\"/>";
   const std::string text = said(fileParameter("a.h5") + constants, ".");
   SUTURE_CHECK_SAYS(text, "Mesh/Constants: needs a .geo file");
-  SUTURE_CHECK_SAYS(text, "Mesh/Mesh Size Factor: needs a .geo file");
+  SUTURE_CHECK_SAYS(text, "Mesh/Mesh Size Factor: needs a file that Gmsh meshes (.geo, .step");
+}
+
+TEUCHOS_UNIT_TEST(MeshReader, RefusesSizeAndOrderWhereNothingIsMeshed) {
+  const std::string both = "<Parameter name=\"Size\" type=\"double\" value=\"0.5\"/><Parameter name=\"Order\" type=\"int\" value=\"2\"/>";
+  for (const std::string& source : {fileParameter("a.h5"), fileParameter("a.msh"), boxesOfTwo}) {
+    const std::string text = said(source + both, ".");
+    SUTURE_CHECK_SAYS(text, "Mesh/Size: needs a file that Gmsh meshes");
+    SUTURE_CHECK_SAYS(text, "Mesh/Order: needs a file that Gmsh meshes");
+  }
+  SUTURE_CHECK_SAYS(said(boxesOfTwo + both, "."), "found a Generator: set Cell and Cells of its boxes");
+  SUTURE_CHECK_SAYS(said(fileParameter("a.step") + "<Parameter name=\"Order\" type=\"int\" value=\"3\"/>", "."), "Mesh/Order: ");
 }
 
 #ifdef SUTURE_TEST_GMSH
+TEUCHOS_UNIT_TEST(MeshReader, ReadsACadFileOnRankZero) {
+  const std::string in = "<Parameter name=\"Length Unit\" type=\"string\" value=\"in\"/>";
+  const Mesh mesh = meshtesting::read(fileParameter("bolted_joint_in.step") + in, SUTURE_SOURCE_DIR "/test/reader/cad");
+  const bool root = world()->getRank() == 0;
+  TEST_EQUALITY(mesh.elementGroups.size(), std::size_t(root ? 3 : 0));
+  TEST_EQUALITY(mesh.sideGroups.size(), std::size_t(root ? 14 : 0));
+  const Folder folder;
+  folder.write("empty.step", "");
+  SUTURE_CHECK_SAYS(said(fileParameter("empty.step") + in, folder.path()), "empty.step is empty");
+  SUTURE_CHECK_SAYS(said(fileParameter("none.stp") + in, folder.path()), "Mesh/File: there is no file " + folder.path() + "/none.stp");
+}
+
 TEUCHOS_UNIT_TEST(MeshReader, ReadsTheTunnelOnRankZero) {
   const Mesh mesh =
       meshtesting::read(fileParameter("tunnel.geo") +

@@ -33,8 +33,9 @@ struct GmshMesh {
   std::vector<Block> blocks;        ///< by dimension, tag and type
   std::vector<Foreign> foreign;
   std::map<int, std::map<std::string, std::vector<int>>> groups;  ///< by dimension: name -> parts
-  std::vector<std::string> unnamed;   ///< groups without a name in the file, under the names that addGroup() gives them
-  std::vector<std::string> problems;  ///< problems of the mesh
+  std::vector<std::string> unnamed;                 ///< groups without a name in the file, under the names that addGroup() gives them
+  std::vector<std::string> problems;                ///< problems of the mesh
+  std::map<std::string, std::string> descriptions;  ///< shapes of side groups of a CAD file: "cylinder, radius 6, along z, hollow"
 
   /// Adds a part to a physical group. A group without a name is called "volume 2", "surface 7" or "curve 3"; a named group of that name is
   /// a problem.
@@ -58,7 +59,7 @@ struct GmshMesh {
   template <typename Self, typename Each>
   static void forEachField(Self& self, Each each) {
     each(self.tags), each(self.coordinates), each(self.blocks), each(self.foreign), each(self.groups), each(self.unnamed),
-        each(self.problems);
+        each(self.problems), each(self.descriptions);
   }
 };
 
@@ -105,9 +106,10 @@ inline void sortByTag(std::vector<std::size_t>& tags, std::vector<double>& coord
 
 /// Messages of suture_mesher to its parent through its file descriptor 3: one letter, the length in eight bytes, and the text.
 enum class MesherMessage : char {
-  Opened = 'O',  ///< all statements are read; meshing begins
-  Failed = 'F',  ///< text: Gmsh's error message
-  Mesh = 'M'     ///< a packed GmshMesh: success
+  Opened = 'O',   ///< all statements, or all parts of a CAD file, are read; meshing begins
+  Failed = 'F',   ///< text: Gmsh's error message
+  Refused = 'R',  ///< text: why suture_mesher does not mesh the file
+  Mesh = 'M'      ///< a packed GmshMesh: success
 };
 
 }  // namespace suture

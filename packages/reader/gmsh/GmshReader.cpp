@@ -1,5 +1,9 @@
 #include <suture/base/Errors.hpp>
+#include <suture/base/Numbers.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/HilbertOrder.hpp>
+#include <suture/reader/cad/CadFile.hpp>
 #include <suture/reader/gmsh/GeoStatements.hpp>
 #include <suture/reader/gmsh/GeoText.hpp>
 #include <suture/reader/gmsh/GmshAssembly.hpp>
@@ -22,6 +26,50 @@ void checkConstants(const GmshInput& input, Problems& problems) {
       problems.add("Mesh/Constants/" + entry.first, "in " + input.path + ": " + unknownName("DefineConstant", entry.first, known));
 }
 
+/// Gmsh makes edges somewhat longer than the requested size; beyond this factor the file prescribes the number of elements.
+constexpr double kPrescribed = 3.0;
+
+/// \throws InputError  edges far longer than the largest size
+void checkLargest(const Mesh& mesh, const GmshInput& input) {
+  if (input.largest <= 0) return;
+  double longest = 0.0;
+  int at = 0;
+  for (int e = 0; e < mesh.elements(); ++e)
+    for (const auto& edge : cellInfo(mesh.cells[e]).edges) {
+      const Span<const int> nodes = mesh.nodesOf(e);
+      const double length = norm(minus(mesh.point(nodes[edge[0]]), mesh.point(nodes[edge[1]])));
+      if (length <= longest) continue;
+      longest = length;
+      at = e;
+    }
+  if (longest <= kPrescribed * input.largest * std::max(1.0, input.meshSizeFactor)) return;
+  throw InputError("Mesh/Size", input.path + " has an element edge of length " + realText(longest) + " near " +
+                                    placeText(centreOf(mesh, at), mesh.dimension) + " with Size " + realText(input.largest) +
+                                    ": the file prescribes the number of elements there (Transfinite, Layers). Change it in the file, or "
+                                    "remove Size");
+}
+
+Mesh finish(const GmshInput& input, const MesherOrder& order, SideDescriptions* descriptions) {
+  GmshMesh made = runMesher(order);
+  if (descriptions) *descriptions = made.descriptions;
+  Mesh mesh = assembleGmsh(std::move(made), input.path);
+  checkLargest(mesh, input);
+  numberAlongHilbertCurve(mesh);
+  return mesh;
+}
+
+MesherOrder orderOf(const GmshInput& input, const std::string& opened) {
+  MesherOrder order;
+  order.file = input.path;
+  order.opened = opened;
+  order.meshSizeFactor = input.meshSizeFactor;
+  order.seconds = input.seconds;
+  order.allowPrograms = input.allowPrograms;
+  order.order = input.order;
+  order.largest = input.largest;
+  return order;
+}
+
 Mesh meshGeometry(const GmshInput& input) {
   Problems problems;
   if (!input.allowPrograms) checkGeoStatements(input.path, problems);
@@ -29,17 +77,37 @@ Mesh meshGeometry(const GmshInput& input) {
   checkConstants(input, problems);
   problems.throwIfAny();
   const GeoWrapper wrapper(input.path, input.constants);
-  Mesh mesh = assembleGmsh(runMesher({input.path, wrapper.path(), input.meshSizeFactor, input.seconds, input.allowPrograms}), input.path);
-  numberAlongHilbertCurve(mesh);
-  return mesh;
+  return finish(input, orderOf(input, wrapper.path()), nullptr);
+}
+
+Mesh meshCad(const GmshInput& input, SideDescriptions* descriptions) {
+  if (const std::string problem = cadFileProblem(input.path); !problem.empty()) throw InputError(kMeshFile, input.path + " " + problem);
+  MesherOrder order = orderOf(input, input.path);
+  order.allowPrograms = false;  // a CAD file holds no statements
+  if (hasLengthUnit(cadFormat(input.path))) {
+    const double millimetres = millimetresOf(input.unit);
+    if (!(millimetres > 0))
+      throw InputError("Mesh/Length Unit", "is unknown, and " + input.path +
+                                               " carries its own unit; begin the scene's Units with mm, cm, m, um, in or ft "
+                                               "(\"mm, N, MPa\"), or set Mesh/Length Unit to one of them");
+    order.scale = 1 / millimetres;
+  }
+  return finish(input, order, descriptions);
 }
 
 }  // namespace
 
 // A .msh file keeps the user's numbering; a mesh generated here may be renumbered.
-Mesh readGmsh(const GmshInput& input) {
+Mesh readGmsh(const GmshInput& input, SideDescriptions* descriptions) {
   if (std::filesystem::path(input.path).extension() == ".geo") return meshGeometry(input);
+  if (cadFormat(input.path) != CadFormat::None) return meshCad(input, descriptions);
   return assembleGmsh(readMsh(input.path), input.path);
+}
+
+double millimetresOf(const std::string& unit) {
+  static const std::map<std::string, double> known{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"um", 1e-3}, {"in", 25.4}, {"ft", 304.8}};
+  const auto at = known.find(unit);
+  return at == known.end() ? 0.0 : at->second;
 }
 
 }  // namespace suture

@@ -1,7 +1,9 @@
-// suture_mesher: the only program that runs Gmsh. The library starts it for every .geo file (MesherProcess.hpp): a file that ends, hangs or
-// crashes Gmsh, or makes it run programs, harms only this process. Writes MesherMessages to file descriptor 3.
-//     suture_mesher FILE MESH_SIZE_FACTOR BYTES SECONDS ALLOW_PROGRAMS(0|1)
+// suture_mesher: the only program that runs Gmsh. The library starts it for every .geo and CAD file (MesherProcess.hpp): a file that ends,
+// hangs or crashes Gmsh, or makes it run programs, harms only this process. Writes MesherMessages to file descriptor 3.
+//     suture_mesher FILE MESH_SIZE_FACTOR BYTES SECONDS ALLOW_PROGRAMS(0|1) ORDER(0|1|2) LARGEST_SIZE SCALE
+// ORDER 0: as the file says, for CAD 2. LARGEST_SIZE 0: none, in the unit of the mesh. SCALE: factor on the lengths of the file.
 #include <suture/base/Buffer.hpp>
+#include <suture/reader/cad/CadModel.hpp>
 #include <suture/reader/gmsh/GmshMesh.hpp>
 #include <suture/reader/gmsh/GmshTypes.hpp>
 
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 
 #include "Sandbox.hpp"
@@ -117,6 +120,9 @@ bool good(Step step) {
   std::string thrown;
   try {
     step();
+  } catch (const CadError& error) {
+    send(MesherMessage::Refused, error.what());
+    return false;
   } catch (...) {
     thrown = thrownText();
     if (thrown.empty()) thrown = "an error without a message";
@@ -127,33 +133,86 @@ bool good(Step step) {
   return false;
 }
 
+/// Command line; see the top of this file.
+struct Order {
+  std::string file;
+  double factor, seconds, largest, scale;
+  std::size_t bytes;
+  bool allowPrograms;
+  int elementOrder;
+
+  explicit Order(char* argv[])
+      : file(argv[1]),
+        factor(std::atof(argv[2])),
+        seconds(std::atof(argv[4])),
+        largest(std::atof(argv[7])),
+        scale(std::atof(argv[8])),
+        bytes(std::strtoull(argv[3], nullptr, 10)),
+        allowPrograms(std::string(argv[5]) == "1"),
+        elementOrder(std::atoi(argv[6])) {}
+};
+
+/// The options of the scene, on top of those of a .geo file.
+void setOptions(const Order& order) {
+  double own = 1;
+  gmsh::option::getNumber("Mesh.MeshSizeFactor", own);
+  gmsh::option::setNumber("Mesh.MeshSizeFactor", order.factor * own);
+  if (order.elementOrder > 0) gmsh::option::setNumber("Mesh.ElementOrder", order.elementOrder);
+  if (order.largest > 0) {
+    gmsh::option::getNumber("Mesh.MeshSizeMax", own);
+    gmsh::option::setNumber("Mesh.MeshSizeMax", std::min(own, order.largest));
+    gmsh::option::getNumber("Mesh.MeshSizeMin", own);
+    gmsh::option::setNumber("Mesh.MeshSizeMin", std::min(own, order.largest));
+  }
+}
+
+bool meshGeo(const Order& order, GmshMesh& mesh) {
+  if (!good([&] { gmsh::open(order.file); })) return false;
+  send(MesherMessage::Opened, "");
+  return good([&] {
+    setOptions(order);
+    gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
+    mesh = readMesh();
+  });
+}
+
+constexpr double kRoundOff = 1e-13;  // coordinates of OpenCASCADE below this fraction of the largest one are zero
+
+bool meshCad(const Order& order, GmshMesh& mesh) {
+  std::optional<CadModel> model;
+  if (!good([&] { model.emplace(order.file); })) return false;
+  send(MesherMessage::Opened, "");
+  return good([&] {
+    const std::map<std::string, std::string> descriptions = model->name(order.scale);
+    model->setMeshing(order.elementOrder == 1 ? 1 : 2,
+                      order.largest > 0 ? std::optional<double>(order.largest / order.scale) : std::nullopt);
+    gmsh::option::setNumber("Mesh.MeshSizeFactor", order.factor);
+    gmsh::model::mesh::generate(3);
+    mesh = readMesh();
+    mesh.descriptions = descriptions;
+    double extent = 0.0;
+    for (const double x : mesh.coordinates) extent = std::max(extent, std::abs(x));
+    for (double& x : mesh.coordinates) x = std::abs(x) > kRoundOff * extent ? order.scale * x : 0.0;
+  });
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
-  if (argc != 6) return 2;
-  const bool allowPrograms = std::string(argv[5]) == "1";
-  const std::string path = argv[1];
-  const double factor = std::atof(argv[2]);
+  if (argc != 9) return 2;
+  const Order order(argv);
   for (int open = 4; open < 1024; ++open) close(open);  // inherited from the parent
-  limitThisProcess(std::strtoull(argv[3], nullptr, 10), std::atof(argv[4]));
+  limitThisProcess(order.bytes, order.seconds);
   gmsh::initialize(0, nullptr, false);  // without the user's own configuration files
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.NumThreads", 1);  // the same mesh every time
   // By default an error leaves Gmsh's parser in the middle of the file. Make it continue to the end.
   gmsh::option::setNumber("General.AbortOnError", 0);
   gmsh::logger::start();
-  if (!allowPrograms) forbidProgramsAndFiles();
+  if (!order.allowPrograms) forbidProgramsAndFiles();
 
-  if (!good([&] { gmsh::open(path); })) return 1;
-  send(MesherMessage::Opened, "");
   GmshMesh mesh;
-  const bool made = good([&] {
-    double own = 1;
-    gmsh::option::getNumber("Mesh.MeshSizeFactor", own);
-    gmsh::option::setNumber("Mesh.MeshSizeFactor", factor * own);
-    gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
-  });
-  if (!made || !good([&] { mesh = readMesh(); })) return 1;
+  if (!(cadFormat(order.file) == CadFormat::None ? meshGeo(order, mesh) : meshCad(order, mesh))) return 1;
   Packer packer;
   if (!good([&] { packer.put(mesh); })) return 1;
   send(MesherMessage::Mesh, packer.bytes());

@@ -2,6 +2,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Memory.hpp>
 #include <suture/base/Numbers.hpp>
+#include <suture/reader/cad/CadFile.hpp>
 #include <suture/reader/gmsh/GmshTypes.hpp>
 #include <suture/reader/gmsh/MesherProcess.hpp>
 
@@ -39,7 +40,7 @@ std::string mesherProgram() {
   const fs::path library = fs::canonical(info.dli_fname, failed);
   const fs::path program = (failed ? fs::path(info.dli_fname) : library).parent_path() / "suture" / "suture_mesher";
   if (access(program.c_str(), X_OK) != 0)
-    throw EnvironmentError("cannot run " + program.string() + ", which meshes .geo files: " + std::strerror(errno));
+    throw EnvironmentError("cannot run " + program.string() + ", which meshes .geo and CAD files: " + std::strerror(errno));
   return program.string();
 }
 
@@ -109,7 +110,7 @@ class Process {
     if (WIFSIGNALED(status) && !killed)
       ended_ = std::string("suture_mesher crashed or reached a limit: ") + strsignal(WTERMSIG(status));
     else
-      ended_ = "suture_mesher ended without a mesh and without a message; does the file contain a statement such as Exit or Abort?";
+      ended_ = "suture_mesher ended without a mesh and without a message; does a .geo file contain a statement such as Exit or Abort?";
     return ended_;
   }
   void terminate() {
@@ -179,6 +180,13 @@ std::string withOwnName(std::string message, const MesherOrder& order) {
   return message;
 }
 
+/// The end of "Gmsh has not ..." for a file that takes too long before meshing begins.
+std::string unread(const MesherOrder& order, const std::string& limit) {
+  if (cadFormat(order.file) != CadFormat::None)
+    return "read the parts within a tenth of " + limit + "; the file is damaged, or needs a longer time limit";
+  return "read the statements within a tenth of " + limit + "; does the file contain an endless loop, or a macro that calls itself?";
+}
+
 // Checks that all numbers are consistent: Gmsh's output is not trusted.
 void check(const GmshMesh& mesh, const std::string& file) {
   const int nodes = static_cast<int>(mesh.tags.size());
@@ -204,7 +212,10 @@ GmshMesh runMesher(const MesherOrder& order) {
                                           realText(order.meshSizeFactor),
                                           std::to_string(static_cast<unsigned long long>(megabytes * (1 << 20))),
                                           realText(order.seconds),
-                                          order.allowPrograms ? "1" : "0"};
+                                          order.allowPrograms ? "1" : "0",
+                                          std::to_string(order.order),
+                                          realText(order.largest),
+                                          realText(order.scale)};
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw EnvironmentError(std::string("cannot make a pipe for suture_mesher: ") + std::strerror(errno));
   Descriptor in(ends[0]), out(ends[1]);
@@ -222,6 +233,8 @@ GmshMesh runMesher(const MesherOrder& order) {
       messages.setLimit(begin, order.seconds);
     } else if (message == MesherMessage::Failed) {
       throw InputError(kMeshFile, order.file + ": Gmsh reports: " + withOwnName(text, order));
+    } else if (message == MesherMessage::Refused) {
+      throw InputError(kMeshFile, order.file + ": " + text);
     } else if (message == MesherMessage::Mesh) {
       GmshMesh mesh = Unpacker(std::move(text)).get<GmshMesh>();
       check(mesh, order.file);
@@ -233,10 +246,9 @@ GmshMesh runMesher(const MesherOrder& order) {
   if (messages.timedOut()) {
     mesher.terminate();
     const std::string limit = "Mesh/Time Limit (" + realText(order.seconds) + " s)";
-    throw InputError(kMeshFile, order.file + ": Gmsh has not " +
-                                    (opened ? "finished within " + limit + "; try a coarser mesh or a longer time limit"
-                                            : "read the statements within a tenth of " + limit +
-                                                  "; does the file contain an endless loop, or a macro that calls itself?"));
+    throw InputError(kMeshFile,
+                     order.file + ": Gmsh has not " +
+                         (opened ? "finished within " + limit + "; try a coarser mesh or a longer time limit" : unread(order, limit)));
   }
   throw InputError(kMeshFile, order.file + ": Gmsh produced no mesh: " + mesher.end());
 }

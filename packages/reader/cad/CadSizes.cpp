@@ -1,0 +1,98 @@
+#include <suture/base/Point.hpp>
+#include <suture/reader/cad/CadSizes.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+constexpr double kOfExtent = 0.1;            // largest size over the extent of a body
+constexpr double kGrowth = 0.5;              // growth of the size with the distance
+constexpr double kSlack = 0.2;               // a sample counts only if it lowers the size by this fraction
+constexpr double kLeast = 0.02;              // smallest size over the largest size of the smallest body
+constexpr double kFacing = 0.5;              // size where bodies face each other over the size otherwise
+constexpr double kReach = 0.05;              // largest clearance of facing bodies over the extent of the smaller one: as in suture_new
+constexpr double kOpposite = -0.5;           // largest cosine between normals that face each other
+constexpr std::size_t kRayTests = 40000000;  // bounds the time: a fraction of a second
+
+constexpr double kTurn = 2 * 3.14159265358979323846;
+
+/// Largest size over the thickness of a wall: one second-order element, or three of first order.
+double ofThickness(int order) { return order == 1 ? 1.0 / 3 : 1.0; }
+
+/// Every how many triangles a loop visits to keep within `kRayTests` tests.
+std::size_t strideFor(std::size_t own, std::size_t others) {
+  return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(own) * static_cast<double>(others) / kRayTests));
+}
+
+bool boxesNear(const Skin& a, const Skin& b, double reach) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (a.low()[k] - reach > b.high()[k] || b.low()[k] - reach > a.high()[k]) return false;
+  return true;
+}
+
+/// True if a triangle of another body faces this one within reach; the triangles there are about as large as these.
+bool isFaced(const Skin::Triangle& own, const Skin& other, double reach) {
+  return std::any_of(other.triangles().begin(), other.triangles().end(), [&](const Skin::Triangle& one) {
+    if (dot(one.normal, own.normal) > kOpposite) return false;
+    const Point way = minus(one.centre, own.centre);
+    const double along = std::abs(dot(way, own.normal));
+    return along <= reach && norm(way) <= along + std::sqrt(2 * (one.area + own.area));
+  });
+}
+
+}  // namespace
+
+CadSizes::CadSizes(const std::vector<Skin>& bodies, int order, const std::map<int, double>& radii) {
+  std::size_t total = 0;
+  for (const Skin& skin : bodies) total += skin.triangles().size();
+  for (const Skin& skin : bodies) {
+    bodies_.push_back({kOfExtent * skin.extent(), {}});
+    least_ = least_ == 0.0 ? bodies_.back().most : std::min(least_, bodies_.back().most);
+  }
+  least_ *= kLeast;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Skin& skin = bodies[b];
+    const std::size_t stride = strideFor(skin.triangles().size(), total);
+    Body& body = bodies_[b];
+    for (std::size_t t = 0; t < skin.triangles().size(); t += stride) {
+      const Skin::Triangle& triangle = skin.triangles()[t];
+      double size = body.most;
+      if (const auto thickness = skin.thicknessAt(t)) size = std::min(size, ofThickness(order) * *thickness);
+      if (const auto round = radii.find(triangle.face); round != radii.end())
+        size = std::min(size, kTurn * round->second / elementsPerTurn(order));
+      for (std::size_t other = 0; other < bodies.size(); ++other) {
+        const double reach = kReach * std::min(skin.extent(), bodies[other].extent());
+        if (other == b || !boxesNear(skin, bodies[other], reach) || !isFaced(triangle, bodies[other], reach)) continue;
+        size *= kFacing;
+        break;
+      }
+      size = std::max(size, least_);
+      if (size < (1 - kSlack) * body.most) body.samples.push_back({triangle.centre, size});
+    }
+    prune(body);
+  }
+}
+
+// Removes samples whose size the others imply within kSlack.
+void CadSizes::prune(Body& body) const {
+  std::stable_sort(body.samples.begin(), body.samples.end(), [](const Sample& a, const Sample& b) { return a.size < b.size; });
+  std::vector<Sample> all;
+  all.swap(body.samples);
+  for (const Sample& sample : all) {
+    const bool implied = std::any_of(body.samples.begin(), body.samples.end(), [&](const Sample& kept) {
+      return kept.size + kGrowth * norm(minus(kept.place, sample.place)) <= (1 + kSlack) * sample.size;
+    });
+    if (!implied) body.samples.push_back(sample);
+  }
+}
+
+double CadSizes::at(std::size_t body, const Point& place) const {
+  double size = bodies_[body].most;
+  for (const Sample& sample : bodies_[body].samples) size = std::min(size, sample.size + kGrowth * norm(minus(sample.place, place)));
+  return std::max(size, least_);
+}
+
+}  // namespace suture
