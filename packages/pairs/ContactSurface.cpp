@@ -80,7 +80,7 @@ class Taken {
     std::size_t contact;
     bool onB;
   };
-  std::vector<std::string> paths_;  // of the contacts
+  std::vector<std::string> paths_;  // by contact
   std::map<Key, std::vector<Claim>> claimsOf_;
   struct Facing {
     Obstacle obstacle;

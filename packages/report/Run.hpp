@@ -32,7 +32,8 @@ struct Run {
   std::vector<std::string> conditions{};  ///< names of boundary conditions in the numbering of Support::condition, on rank 0
   std::vector<std::string> contacts{};    ///< names of contact lines
   std::vector<StepRow> steps{};           ///< load steps so far; empty without load steps
-  /// Names of all contacts of the load steps (StepRow::forceOnB), of which a scene whose bodies are removed or placed may now have only some.
+  /// Names of all contacts of the load steps (StepRow::forceOnB), of which a scene whose bodies are removed or placed may now have only
+  /// some.
   std::vector<std::string> contactsOfPath{};
 };
 

@@ -123,7 +123,8 @@ Json loadSteps(const Run& run, int dimension) {
   const std::vector<StepRow>& steps = run.steps;
   const auto forces = [&](const StepRow& row) {
     Json all = Json::object();
-    for (std::size_t line = 0; line < row.forceOnB.size(); ++line) all[run.contactsOfPath.at(line)] = components(row.forceOnB[line], dimension);
+    for (std::size_t line = 0; line < row.forceOnB.size(); ++line)
+      all[run.contactsOfPath.at(line)] = components(row.forceOnB[line], dimension);
     return all;
   };
   Json rows = Json::array();

@@ -126,9 +126,25 @@ class Drawing:
             reach = np.arange(places.min() - beyond, places.max() + beyond, step)
             self.signs.surface(foot + reach[:, None] * along_it, np.broadcast_to(-normal, (len(reach), 2)), colour)
 
+    def _point_support(self, condition, point):
+        """The support of a single node, drawn away from the middle of the scene."""
+        s, direction = self.signs.size, condition.direction
+        if direction is not None and direction.any():
+            step = s * direction / np.hypot(*direction)
+            self.signs.arrows(point, point + step, SUPPORT, filled=False)
+            return point + 0.5 * step
+        middle = 0.5 * (self.grid.points.min(axis=0) + self.grid.points.max(axis=0))[:2]
+        axis = 0 if condition.components == "x" else 1
+        outward = np.zeros((1, 2))
+        outward[0, axis] = 1.0 if point[0, axis] > middle[axis] else -1.0
+        self._supports(condition, point, outward)
+        return point + 0.6 * s * outward
+
     def elsewhere(self, condition):
         """Loads on bodies and at points. \\return anchors for the label; none without a symbol"""
         s, direction = self.signs.size, condition.direction
+        if condition.type == "Displacement" and condition.at_point:
+            return self._point_support(condition, np.array([condition.given["Point"][:2]], dtype=float))
         if condition.type == "Point Force" and direction is not None and direction.any():
             point, unit = np.array(condition.given["Point"][:2], dtype=float), direction / np.hypot(*direction)
             self.signs.arrows([point - 1.4 * s * unit], [point], LOAD)

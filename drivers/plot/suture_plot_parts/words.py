@@ -42,6 +42,11 @@ class Condition:
                 "Gravity": f"{length}/time²", "Rotation": "1/time"}.get(self.type, "")
 
     @property
+    def at_point(self):
+        """True if it acts on the node at a point."""
+        return self.type in ("Point Force", "Displacement") and bool(self.given.get("Point"))
+
+    @property
     def direction(self):
         """Vector in 2D or 3D, or None; if the values are functions, the resultant."""
         dimension = self.run.dimension
@@ -84,7 +89,7 @@ class Condition:
 
     def place(self, short=False):
         """\\param short  abbreviates long lists of groups by families"""
-        if self.type == "Point Force":
+        if self.at_point:
             return f"at {vector(self.given.get('Point', []))}"
         if self.groups:
             return ", ".join(families(self.groups, CROWD + 1) if short and len(self.groups) > 6 else self.groups)

@@ -1,4 +1,4 @@
-"""*BOUNDARY on nodes of solid elements: sides all of whose nodes have the same prescribed displacement."""
+"""*BOUNDARY on nodes of solid elements: sides all of whose nodes have the same prescribed displacement, and single nodes."""
 import numpy as np
 
 from .conditions import LETTERS
@@ -7,8 +7,8 @@ from .steps import vectors
 
 class Supports:
     """
-    A condition of a scene acts on sides; a *BOUNDARY acts on nodes. A node that is not on a side whose nodes are all held alike cannot be
-    held by a side: hold_nodes() takes it.
+    A condition of a scene acts on sides, or on the node at a point; a *BOUNDARY acts on nodes. A node that is not on a side whose nodes are
+    all held alike is held by a condition at its point.
     """
 
     def __init__(self, track, nodal, solids, conditions, findings):
@@ -36,20 +36,21 @@ class Supports:
                 self._take(what, rows)
                 groups.setdefault(self.solids.group(source.name, rows), {})[what[0]] = np.array(what[1])
         for group, components in groups.items():
-            self._write(source.name, group, components)
+            self._write(source.name, components, Group=group)
 
     def _take(self, what, rows):
         nodes = rows[:, 2:]
         self.held[what].update(nodes[nodes >= 0].tolist())
 
-    def _write(self, name, group, components):
+    def _write(self, name, components, **place):
+        """\param place  Group, or Body and Point"""
         for members, factors in vectors(components):
             if len(members) == self.solids.mesh.dimension:
-                self.conditions.add(name, "Displacement", factors, Group=group, Value=self.conditions.vector(members))
+                self.conditions.add(name, "Displacement", factors, **place, Value=self.conditions.vector(members))
             else:
                 order = sorted(members)
                 letters = "".join(LETTERS[k] for k in order)
-                self.conditions.add(name, "Displacement", factors, Group=group, Components=letters, Value=[members[k] for k in order])
+                self.conditions.add(name, "Displacement", factors, **place, Components=letters, Value=[members[k] for k in order])
 
     def _add_rest(self):
         """Sides between the nodes of several sets, then single nodes."""
@@ -63,7 +64,7 @@ class Supports:
             if len(rows):
                 self._take(what, rows)
                 group = self.solids.group("held together", rows)
-                self._write("held together", group, {what[0]: np.array(what[1])})
+                self._write("held together", {what[0]: np.array(what[1])}, Group=group)
             for source, parts in self.of_source.items():
                 alone = (rest & parts.get(what, set())) - self.held[what]
                 if alone:
@@ -72,11 +73,14 @@ class Supports:
             self.hold_nodes(source, parts)
 
     def hold_nodes(self, source, parts):
-        """Nodes that no side holds: {(component, values): nodes}. Suture has no support of a single node: they are listed."""
-        for (component, _), nodes in parts.items():
-            count = sum(len(all_) for what, all_ in self.of_source[source].items() if what[0] == component)
-            self.findings.leave(source.place, f"*BOUNDARY on '{source.name}': {len(nodes)} of {count} nodes are not held in "
-                                              f"{LETTERS[component]}, since they are not on a side whose nodes all are")
+        """Nodes that no side holds, one by one: {(component, values): nodes}."""
+        of_node = {}  # node -> component -> values
+        for (component, values), nodes in parts.items():
+            for node in nodes:
+                of_node.setdefault(node, {})[component] = np.array(values)
+        for node in sorted(of_node):
+            self._write(source.name, of_node[node], Body=self.solids.bodies[self.solids.node_body[node]],
+                        Point=self.solids.mesh.points[node].tolist()[:self.solids.mesh.dimension])
 
     def _list_changes(self):
         """Supports that begin or end in a later step hold over the whole path."""

@@ -101,7 +101,9 @@ class Marks:
     def _supports(self, condition, places, outward, colour, hidden):
         """Triangles with their tips on the surface: filled if all directions are held, on rollers if one is; springs."""
         chosen = self._chosen(places, SUPPORTS)
-        places, outward = places[chosen], outward[chosen]
+        self._support_signs(condition, places[chosen], outward[chosen], colour, hidden)
+
+    def _support_signs(self, condition, places, outward, colour, hidden):
         if condition.components in ("x", "y", "z"):
             axis = np.eye(3)["xyz".index(condition.components)]
             outward = np.where(outward @ axis < -1e-9, -1.0, 1.0)[:, None] * axis
@@ -121,13 +123,18 @@ class Marks:
     def _elsewhere(self, condition, colour):
         """Loads on bodies and at points."""
         run, view, direction = self.scene.run, self.page.view, condition.direction
+        if condition.type == "Displacement" and condition.at_point and not moves(condition):
+            place = np.array([condition.given["Point"]], dtype=float)
+            below = place[0, 2] < 0.5 * (self.scene.points.min(axis=0) + self.scene.points.max(axis=0))[2]
+            self._support_signs(condition, view.flat(place), np.array([[0.0, 0.0, -1.0 if below else 1.0]]), colour, False)
+            return view.flat(place)
         if direction is None or len(direction) < 3 or not direction.any():
             return np.zeros((0, 2))
         unit = direction / np.linalg.norm(direction)
-        if condition.type == "Point Force":
+        if condition.at_point:
             point = view.flat(np.array([condition.given["Point"]], dtype=float))
             step = 1.4 * self.length * view.flat(unit)
-            self._draw(point - step, point, colour, True, False)
+            self._draw(point - step, point, colour, not condition.support, False)
             return point - 0.9 * step
         if condition.type == "Rotation":
             point = view.flat(np.array([condition.given.get("Point") or [0.0, 0.0, 0.0]], dtype=float))
