@@ -45,6 +45,11 @@ struct Support {
   int condition = -1;  ///< index in Constraints::conditions
   Point direction{0, 0, 0}, along{0, 0, 0};
   bool atPoint = false;  ///< the condition holds this node alone (Condition::point): stresses are unbounded there
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.node), each(self.condition), each(self.direction), each(self.along), each(self.atPoint);
+  }
 };
 
 /// Direction along which an elastic support resists a node of an element's side. It holds the rigid-body motions that move it.
