@@ -75,7 +75,7 @@ void judgeSolution(SceneParts& parts, const Subdomains& subdomains, Solution& so
 
 Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& invocation) {
   return {parts.run.comm(),
-          parts.scene.file,
+          parts.plan ? parts.plan->whole.file : parts.scene.file,
           parts.scene.model,
           parts.cut.whole.pieces,
           parts.cut.meshes,
@@ -83,7 +83,7 @@ Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& i
           solution,
           parts.run.monitor(),
           parts.run.timers(),
-          parts.cut.whole.hash,
+          parts.meshHash(),
           invocation,
           parts.run.folder(),
           parts.cut.whole.conditions,

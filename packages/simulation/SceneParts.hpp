@@ -49,6 +49,8 @@ struct SceneParts {
   std::vector<double> times() const;
   /// End of the first load step of the present phase.
   double firstTime() const;
+  /// Hash of the mesh, on rank 0; with phases that of the whole mesh.
+  std::string meshHash() const { return plan ? plan->mesh->hash() : cut.whole.hash; }
   /// Names of all contacts on the path, of which the present phase may have only some.
   const std::vector<std::string>& contactsOfPath() const { return plan ? plan->whole.contacts : scene.contacts; }
   /// Time of `Output/Displacements Since`, if it has been reached; the same on all ranks.

@@ -51,7 +51,7 @@ class PartitionedScene {
  public:
   const Scene& scene() const { return parts_->scene; }
   const std::vector<SubdomainMesh>& meshes() const { return parts_->cut.meshes; }  ///< subdomains of this rank
-  const std::string& meshHash() const { return parts_->cut.whole.hash; }           ///< on rank 0
+  std::string meshHash() const { return parts_->meshHash(); }                      ///< on rank 0
 
  private:
   friend PartitionedScene cut(MeshedScene meshed);

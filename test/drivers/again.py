@@ -46,6 +46,13 @@ check("what is allowed: 100 times the tolerance", float(rows["energy"]["allowed"
 code, text = solve(1, "--again", first, "--output", work / "silent", "--quiet")
 check("--quiet", (code, text), (0, ""))
 
+# Bodies removed and placed on the path: the record is that of the whole scene.
+lined = pathlib.Path(__file__).resolve().parent / "lined_tunnel.xml"
+code, _ = solve(1, lined, "--output", work / "lined")
+check("a scene with phases", (code, summaryOf(work / "lined")["parameters"]["Load Steps"]["Removed"]), (0, {"core": 1.0}))
+code, text = solve(1, "--again", work / "lined")
+check("a scene with phases, again", (code, "quantities to the last bit" in text), (0, True))
+
 # Records with changed figures: detected and ignored differences.
 blocks = scenes / "two_blocks" / "two_blocks.xml"
 solve(1, blocks, "--output", work / "blocks", *setting("Outer Solver/Tolerance", "1e-9"))
