@@ -69,7 +69,9 @@ solve("restart", scene("two_blocks"), "--restart", work / "plane" / "checkpoint.
 solve("exact", scene("manufactured"), *setting("Output/Error Estimate", "true"), *setting("Outer Solver/Tolerance", "Automatic"))
 solve("space", scene("patch_3d"), ranks=2)
 solve("friction", scene("sliding_pad"))
-solve("load_steps", scene("cattaneo"), *setting("Mesh/Mesh Size Factor", "2"), *setting("Materials/unit/Yield Strength", "1"))
+solve("load_steps", scene("cattaneo"), *setting("Mesh/Mesh Size Factor", "2"), *setting("Materials/unit/Yield Strength", "1"),
+      *setting("Output/Displacements Since", "1"))
+solve("several_bodies", scene("beam_on_blocks"))
 solve("few_files", scene("two_blocks"), *setting("Output/Fields", "false"), *setting("Output/Tables", "false"))
 solve("plugin", scene("two_blocks"), "--plugin", options.plugin)
 solve("groups", scene("two_blocks"), *setting("Formulation", "Condensed Groups"), *setting("Outer Solver/Type", "Successive Approximation"),
