@@ -103,7 +103,8 @@ void writeReactionTable(const Run& run, const std::string& path) {
   };
   for (std::size_t line = 0; line < contacts.size(); ++line) {
     add(run.contacts[line], "contact", contacts[line]);
-    for (const ContactResultant& part : contacts[line].ofBodies) add(run.contacts[line], "bodies", part);
+    for (const ContactResultant& part : contacts[line].ofBodies)
+      add(run.contacts[line] + ": " + bodyNames(run, part.bodies[0]) + ", " + bodyNames(run, part.bodies[1]), "bodies", part);
   }
   text += "sum,sum,," + scales.fields(sum) + ",,,,\n";
   writeTextFile(path, text);
