@@ -7,7 +7,7 @@ from .report_run import CHECKS
 EXIT = {0: "done", 2: "command line", 3: "input", 4: "numerical", 5: "environment", 70: "internal", 75: "stopped on request"}
 FIELDS = ("Project", "Author", "Revision", "Date")
 # Notes of a run that report how it was solved. All others may limit what its answers are good for.
-ON_THE_SOLUTION = re.compile(r"Schur complements|nested start|continues at|; mortar, carried by|is solved exactly, without a further level|relaxation halved|"
+ON_THE_SOLUTION = re.compile(r"^t = [^:]*: '|Schur complements|nested start|continues at|; mortar, carried by|is solved exactly, without a further level|relaxation halved|"
                              r"\(\d+ solutions\)$|primal constraints")
 MOST_WARNINGS = 8  # that are shown at once
 
