@@ -94,8 +94,13 @@ std::string PathFollower::lastStates() const {
 /// Continues the path of a checkpoint. \param before  receives the solution of its last step
 void PathFollower::goOnFromStart(Solution& before) {
   path().goOnFrom(restart_);
+  const double since = scene().settings().sublist("Output").get<double>("Displacements Since");
+  if (since > 0.0 && path().time() > since && parts_.phaseNumber == 0)
+    throw InputError("Output/Displacements Since", "the checkpoint is at " + timeText(path().time()) + ", after " + timeText(since) +
+                                                       ", and has no displacements of that time; run the scene from its beginning");
   before.displacement = solver_.start()->displacement;
   before.converged = true;
+  if (path().time() == since) parts_.reference = before.displacement;
   std::vector<PairForce> forces;
   const auto state = [&](int pair) {
     const auto found = solver_.start()->status.find(pair);
@@ -174,7 +179,7 @@ Solution PathFollower::follow() {
   Solution total;  // counts of all steps
   StepRow row;
   const Progress::Path progress;
-  const double pathBegin = path().time(), pathLength = times.back() - pathBegin;
+  const double pathBegin = path().time(), pathLength = scene().steps.times().back() - pathBegin;  // with the phases that follow
   bool isPrepared = !hasBefore;
   int changedFirst = 0, changedBefore = 0;  // pairs, in the last two trials of the step
   double began = Timers::now();

@@ -3,7 +3,6 @@
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/simulation/PhaseChange.hpp>
-#include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
