@@ -44,19 +44,22 @@ check("it is part of the verdict", whole["verification"]["work"]["value"] <= who
 history = list(csv.DictReader((work / "whole" / "history.csv").open()))
 check("steps in the history", {int(row["load_step"]) for row in history}, set(range(1, len(rows) + 1)))
 
-# Stopped after some steps, at least three.
+# Stopped after t = 0.25.
 with open(work / "stopped.log", "w") as log:
     process = subprocess.Popen(harness.command(options.solve, 2, SCENE, "--output", work / "stopped", *FINE,
                                                *setting("Load Steps/Largest Change", "0.06")), stdout=log, stderr=log)
     until = time.time() + 60 * SLOWER
-    while time.time() < until and len(steps("stopped")) < 3:
+    while time.time() < until and max((float(row.get("time") or 0) for row in steps("stopped")), default=0) <= 0.25:
         time.sleep(0.02)
     process.send_signal(signal.SIGUSR1)
     check("exit code of a path stopped on request", process.wait(timeout=60 * SLOWER), 75)
 stopped = json.loads((work / "stopped" / "summary.json").read_text())
 check("its summary says where", "stopped on request, after t = " in stopped["failure"], True)
 before = steps("stopped")
-check("the path is not complete", float(before[-1]["time"]), lambda t: 0 < t < 1.25)
+check("the path is not complete", float(before[-1]["time"]), lambda t: 0.25 < t < 1.25)
+code, text, _ = run(2, "since", "--restart", str(work / "stopped" / "checkpoint.h5"), *setting("Output/Displacements Since", 0.25))
+check("exit code of a restart after the time of Displacements Since", code, 3)
+check("message for it", "after t = 0.25, and has no displacements of that time" in text, True)
 code, text, rest = run(1, "stopped", "--restart", str(work / "stopped" / "checkpoint.h5"), *setting("Partition/METIS/Subdomains", 6))
 check("exit code of the rest", code, 0)
 after = steps("stopped")

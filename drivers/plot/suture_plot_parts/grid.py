@@ -154,5 +154,14 @@ def numbered(rows):
     return number
 
 
+def looked_up(parameters, path, default=None):
+    """Value of nested lists of parameters. path: names from the outermost list inwards. default: result if a name does not exist."""
+    for name in path:
+        if not isinstance(parameters, dict) or name not in parameters:
+            return default
+        parameters = parameters[name]
+    return parameters
+
+
 def as_text(value):
     return value.decode() if isinstance(value, bytes) else str(value)

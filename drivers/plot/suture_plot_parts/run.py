@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .grid import Grid
+from .grid import Grid, looked_up
 from .style import PlotError
 from .summary import read_summary
 
@@ -98,12 +98,7 @@ class RunFolder:
                 raise PlotError(f"{path} is damaged: {error}") from error
 
     def parameter(self, *path, default=None):
-        value = self.summary["parameters"]
-        for name in path:
-            if not isinstance(value, dict) or name not in value:
-                return default
-            value = value[name]
-        return value
+        return looked_up(self.summary["parameters"], path, default)
 
     @property
     def good(self):

@@ -7,7 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from .grid import Grid, as_text
+from .grid import Grid, as_text, looked_up
 from .style import PlotError
 
 # Nodes of the faces of 3D bodies in the order of the file: vertices, mid-edge nodes, centre.
@@ -44,12 +44,7 @@ class SceneData:
         self.axes = ("r", "axis y") if self.model == "Axisymmetric" else ("x", "y")
 
     def parameter(self, *path, default=None):
-        value = self.fields.parameters
-        for name in path:
-            if not isinstance(value, dict) or name not in value:
-                return default
-            value = value[name]
-        return value
+        return looked_up(self.fields.parameters, path, default)
 
     @property
     def folder(self):
