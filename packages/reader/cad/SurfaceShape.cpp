@@ -81,7 +81,8 @@ class Fit {
     const auto circle = circleAbout(axis, points_);
     if (!circle) return {};
     const auto& [centre, radius] = *circle;
-    return round(Kind::Cylinder, axis, centre, radius, [&](const Vector& p) -> Vector { return across(p - centre, axis); });
+    return round(Kind::Cylinder, axis, centre, radius,
+                 [&, &middle = centre](const Vector& p) -> Vector { return across(p - middle, axis); });
   }
 
   std::optional<SurfaceShape> cone() const {
