@@ -1,9 +1,11 @@
-#include <suture/base/Point.hpp>
+#include <suture/base/RigidValues.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
+#include <suture/constraints/BuildRigidGroups.hpp>
 #include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
 #include <suture/constraints/UnmodelledRim.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideGeometry.hpp>
 #include <suture/pairs/ContactPairs.hpp>
 #include <suture/pairs/ContactPieces.hpp>
@@ -108,10 +110,33 @@ std::vector<SpringDirection> springsOf(const Mesh& mesh, const std::vector<Condi
   return springs;
 }
 
+// The rows of a pair are unknowns of its nodes, which the nodes of a moving rigid group do not have.
+void checkRigidGroups(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<ContactSurface>& contacts,
+                      const Constraints& constraints, Problems& problems) {
+  const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
+  if (rigid.empty()) return;
+  std::set<std::pair<int, int>> told;
+  for (const ContactPair& pair : constraints.pairs)
+    for (const PairEnd& end : pair.ends) {
+      if (!rigid.moves(end.node)) continue;
+      for (const RigidGroup& group : constraints.rigidGroups)
+        if (std::binary_search(group.nodes.begin(), group.nodes.end(), end.node) && told.insert({group.condition, pair.line}).second)
+          problems.add(conditions[static_cast<std::size_t>(group.condition)].path + "/Group",
+                       "touches " + contacts[static_cast<std::size_t>(pair.line)].path + " at " +
+                           placeText(mesh.point(end.node), mesh.dimension) +
+                           ": a rigid group with free motions has no node in contact. Choose a group away from the contact, or a rigid "
+                           "obstacle for the other side");
+    }
+}
+
 // Reports bodies that no condition and no contact holds.
 void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
   std::vector<char> held(mesh.bodies.size(), 0);
-  for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // so far from boundary conditions only
+  const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
+  for (const NodeRule& rule : constraints.rules)  // so far from boundary conditions only
+    if (!rigid.moves(rule.node)) held[mesh.bodyOfNode[rule.node]] = 1;
+  for (const RigidGroup& group : constraints.rigidGroups)
+    if (group.masters() < rigidMotions(mesh.dimension)) held[mesh.bodyOfNode[group.nodes.front()]] = 1;
   for (const SpringDirection& spring : constraints.springs) held[mesh.bodyOfNode[spring.node]] = 1;
   for (const ContactPiece& piece : constraints.pieces) {
     if (piece.isWithinOneBody) continue;
@@ -131,6 +156,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
 
   Constraints constraints;
   constraints.rules = nodalRules(mesh, conditions, problems, constraints.supports, constraints.prescribed);
+  buildRigidGroups(mesh, conditions, constraints, problems);
   for (const Condition& condition : conditions) constraints.conditions.push_back(condition.name);
   constraints.springs = springsOf(mesh, conditions);
   std::vector<PairedSurface> paired;
@@ -144,6 +170,9 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
       constraints.pairs.push_back(pair);
     }
   }
+  problems.throwIfAny();
+
+  checkRigidGroups(mesh, conditions, contacts, constraints, problems);
   problems.throwIfAny();
 
   constraints.pieces = findPieces(mesh, contacts, paired, constraints.pairs);

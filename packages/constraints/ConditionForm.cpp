@@ -46,7 +46,16 @@ const std::vector<ConditionForm>& conditionForms() {
        {},
        {"Normal Stiffness", "Tangential Stiffness"},
        "it has Normal Stiffness and Tangential Stiffness"},
-      {"Random Load", Type::RandomLoad, Place::Body, {}, {}, false, {"Amplitude"}, {"Seed", "Mean"}, "it has Amplitude and Seed"}};
+      {"Random Load", Type::RandomLoad, Place::Body, {}, {}, false, {"Amplitude"}, {"Seed", "Mean"}, "it has Amplitude and Seed"},
+      {"Rigid Group",
+       Type::RigidGroup,
+       Place::Sides,
+       {},
+       {},
+       false,
+       {"Point"},
+       {"Force", "Moment", "Motion x", "Motion y", "Motion z", "Rotation x", "Rotation y", "Rotation z"},
+       "it has Motion x, Rotation z and the like, Force and Moment"}};
   return all;
 }
 
@@ -70,6 +79,11 @@ std::vector<std::string> ConditionForm::expressions(int dimension, const std::st
 }
 
 bool ConditionForm::takes(const std::string& parameter) const { return contains(needs, parameter) || contains(may, parameter); }
+
+const std::vector<std::string>& motionNames() {
+  static const std::vector<std::string> all{"Motion x", "Motion y", "Motion z", "Rotation x", "Rotation y", "Rotation z"};
+  return all;
+}
 
 std::vector<std::string> specialParameters() {
   std::set<std::string> all;
@@ -113,7 +127,8 @@ Schema boundaryConditionSchema() {
           "Initial Strain: of shrinkage, swelling, or a bolt's preload as the shortening of its shank; Initial Stress: of rock before it "
           "is excavated; Mean Displacement: of a group, imposed by a uniform traction; Preload: shortening of a body, such as a bolt, "
           "under which it carries a given force; Elastic Support: springs on an area (Winkler); Random Load: forces on all nodes of a "
-          "body, for studies of solvers")
+          "body, for studies of solvers; Rigid Group: the nodes of a group move as one rigid body about its Point, with prescribed or free "
+          "motions, and a Force and Moment that act at the Point")
       .reals(
           "Value", std::nullopt,
           "Displacement: one entry per component [length]; Traction: one per direction [stress]; Pressure: one [stress]; Force: one per "
@@ -122,7 +137,7 @@ Schema boundaryConditionSchema() {
           "along "
           "its axis [1 / time]; Temperature: one; Initial Strain: xx, yy, zz, xy, in 3D also yz, xz, where xy is 2 e_xy; Initial Stress: "
           "xx, yy, zz, xy, in 3D also yz, xz [stress], tension positive; Mean Displacement: one entry per component [length]; Preload: one "
-          "[force], tension positive; none for Bilateral, Elastic Support and Random Load. In 2D per unit thickness, in axisymmetric "
+          "[force], tension positive; none for Bilateral, Elastic Support, Random Load and Rigid Group. In 2D per unit thickness, in axisymmetric "
           "scenes "
           "for the whole circle")
       .optional()
@@ -158,7 +173,7 @@ Schema boundaryConditionSchema() {
       .reals("Point", std::nullopt,
              "position of a Point Force, or of the single node that a Displacement holds; point about which a Rotation turns in 2D, or a "
              "point of its axis in 3D, by default the origin; Preload: middle of the Length on which the body is shortened, such as the "
-             "shank of a bolt, by default the whole body",
+             "shank of a bolt, by default the whole body; Rigid Group: its reference point, anywhere",
              "length")
       .optional()
       .real("Tolerance", std::nullopt,
@@ -186,6 +201,22 @@ Schema boundaryConditionSchema() {
             "force")
       .optional()
       .real("Mean", std::nullopt, "Random Load: value added to every component; 0 by default", Range::any(), "force")
+      .optional()
+      .reals("Force", std::nullopt, "Rigid Group: force at its Point, one entry per direction; none by default", "force")
+      .optional()
+      .reals("Moment", std::nullopt, "Rigid Group: moment about its Point, one entry, in 3D three; none by default", "force x length")
+      .optional()
+      .real("Motion x", std::nullopt, "Rigid Group: prescribed displacement of its Point along x; free by default", Range::any(), "length")
+      .optional()
+      .real("Motion y", std::nullopt, "likewise, along y", Range::any(), "length")
+      .optional()
+      .real("Motion z", std::nullopt, "likewise, along z, in 3D", Range::any(), "length")
+      .optional()
+      .real("Rotation x", std::nullopt, "Rigid Group: prescribed rotation about an axis through its Point along x, in 3D; free by default")
+      .optional()
+      .real("Rotation y", std::nullopt, "likewise, along y, in 3D")
+      .optional()
+      .real("Rotation z", std::nullopt, "likewise, along z; counterclockwise > 0 in 2D")
       .optional();
 }
 

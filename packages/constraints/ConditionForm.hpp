@@ -35,6 +35,9 @@ const ConditionForm& formOf(Condition::Type type);
 /// \throws InternalError  if no type has this name
 const ConditionForm& formNamed(const std::string& name);
 
+/// Prescribed motions of a Rigid Group: displacements of its point along x, y, z, and rotations about these axes.
+const std::vector<std::string>& motionNames();
+
 /// Parameters that only some types take, except `Group`, `Body`, `Components`, `Value` and expressions.
 std::vector<std::string> specialParameters();
 /// Name with its article: "a Traction", "an Elastic Support".

@@ -36,7 +36,7 @@ void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems
 
 /// Finds the node of a condition at a point.
 void findNode(const Mesh& mesh, Condition& condition, Problems& problems) {
-  if (!condition.point) return;
+  if (!condition.point || condition.type == Condition::Type::RigidGroup) return;
   BoundingBox box;
   for (int node = 0; node < mesh.nodes(); ++node) box.include(mesh.point(node));
   NodeAtPoint all(*condition.point, norm(minus(box.high, box.low)));
@@ -78,6 +78,7 @@ class Entry {
     readData();
     checkSpecials();
     readSupport();
+    readMotions();
     if (problems_.list().size() == before) findNode(mesh_, condition_, problems_);
     return condition_;
   }
@@ -111,7 +112,8 @@ class Entry {
       if (list_.isParameter("Tolerance")) wrong("Tolerance", "only a condition at a Point takes this parameter");
       return;
     }
-    if (list_.isParameter("Group")) wrong("Point", "found together with a Group; expected only one of them");
+    if (list_.isParameter("Group") && condition_.type != Type::RigidGroup)
+      wrong("Point", "found together with a Group; expected only one of them");
     const auto& values = list_.get<Teuchos::Array<double>>("Point");
     condition_.point.emplace(Point{0, 0, 0});
     std::copy_n(values.begin(), std::min<std::size_t>(std::size_t(values.size()), 3), condition_.point->begin());
@@ -150,6 +152,25 @@ class Entry {
       wrong("Normal Stiffness", "an Elastic Support needs a stiffness above zero, here or in Tangential Stiffness");
   }
 
+  /// Reads the prescribed motions of a Rigid Group.
+  void readMotions() {
+    if (condition_.type != Type::RigidGroup) return;
+    const std::vector<std::string>& names = motionNames();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (!list_.isParameter(names[k])) continue;
+      condition_.motions[k] = list_.get<double>(names[k]);
+      if (mesh_.dimension == 2 && (k == 2 || k == 3 || k == 4)) wrong(names[k], "found in 2D; expected Motion x, Motion y or Rotation z");
+      if (mesh_.axisymmetric && k != 1) wrong(names[k], "found in an axisymmetric scene, where a rigid group moves along the axis only; expected Motion y");
+    }
+    for (const char* load : {"Force", "Moment"}) {
+      if (!list_.isParameter(load)) continue;
+      const std::size_t given = static_cast<std::size_t>(list_.get<Teuchos::Array<double>>(load).size()),
+                        expected = load[0] == 'M' && mesh_.dimension == 2 ? 1 : static_cast<std::size_t>(mesh_.dimension);
+      if (given != expected) wrong(load, std::to_string(given) + " values; expected " + std::to_string(expected));
+      if (mesh_.axisymmetric && load[0] == 'M') wrong(load, "a Moment cannot act on a body of revolution: it has no resultant around the circle");
+    }
+  }
+
   void checkSpecials() {
     for (const std::string& parameter : specialParameters())
       if (!form_->takes(parameter) && list_.isParameter(parameter))
@@ -172,7 +193,9 @@ class Entry {
 
 }  // namespace
 
-bool Condition::onSides() const { return formOf(type).place == ConditionForm::Place::Sides && !point; }
+bool Condition::onSides() const {
+  return formOf(type).place == ConditionForm::Place::Sides && (!point || type == Type::RigidGroup);
+}
 
 Condition Condition::displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components) {
   Condition condition;

@@ -3,6 +3,7 @@
 #include <suture/constraints/ConditionData.hpp>
 #include <suture/mesh/Mesh.hpp>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,13 +29,14 @@ struct Condition {
     MeanDisplacement,
     Preload,
     ElasticSupport,
-    RandomLoad
+    RandomLoad,
+    RigidGroup
   };
   std::string name;
   std::string path;  ///< "Boundary Conditions/push", for messages
   Type type = Type::Bilateral;
   std::vector<std::string> groups;  ///< side groups; none for body loads, and for conditions at a point
-  std::optional<Point> point;       ///< position of the node that a Displacement holds, instead of groups
+  std::optional<Point> point;       ///< position of the node that a Displacement holds, instead of groups; reference point of a RigidGroup
   double tolerance = 0.0;           ///< largest distance of that node [length]; 0: 1e-6 of the bodies' extent
   int node = -1;                    ///< that node, once found by conditionsOn() or readConditions()
   std::vector<int> components;      ///< prescribed by a Displacement
@@ -43,6 +45,8 @@ struct Condition {
   int factor = 0;                   ///< number of its factor in LoadSteps
 
   double normal = 0.0, tangential = 0.0;  ///< stiffness of an ElasticSupport [stress / length]
+  /// Prescribed motions of a RigidGroup: displacements of its point [length], rotations about the axes; in 2D the last one about z
+  std::array<std::optional<double>, 6> motions{};
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
   /// True if it acts on side groups; otherwise it acts on whole bodies, or at a point.

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/constraints/RigidGroup.hpp>
 #include <suture/pairs/ContactLaw.hpp>
 #include <suture/pairs/ContactPair.hpp>
 #include <suture/pairs/ContactPiece.hpp>
@@ -13,7 +14,8 @@ namespace suture {
 struct Mesh;
 
 /// Prescribed values and axes of a node whose displacement components are not all Cartesian and free.
-/// The local component k of the displacement u is axes[k] . u ; a fixed component has the given value. Axes are orthonormal.
+/// The local component k of the displacement u is axes[k] . u ; a fixed component has the given value, in a rigid group (RigidGroup) that
+/// value plus a combination of the masters. Axes are orthonormal.
 struct NodeRule {
   int node = -1;
   std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -71,6 +73,7 @@ struct Constraints {
   std::vector<ContactPiece> pieces;
   ContactLaws laws{};              ///< laws of the contact lines, set by the scene (simulation/Scene); empty: frictionless
   std::vector<std::string> notes;  ///< sentences for the user about choices made
+  std::vector<RigidGroup> rigidGroups{};
 };
 
 /// Sets the laws of the constraints. Pairs of a law that ignores the gap have none; pairs of a law that restricts sliding get the

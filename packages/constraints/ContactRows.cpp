@@ -18,15 +18,30 @@ struct Term {
 };
 
 // Adds the terms of one end. A node without a rule is Cartesian and free.
-void addEnd(const PairEnd& end, const NodeRule& rule, const Point& direction, int dimension, double& gap, std::vector<Term>& entries) {
+void addEnd(const PairEnd& end, const NodeRule& rule, const RigidGroupNodes& rigid, const Point& direction, int dimension, double& gap,
+            std::vector<Term>& entries) {
   for (int k = 0; k < dimension; ++k) {
     double along = 0.0;
     for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * direction[c];
-    if (rule.fixed[k])
-      gap -= end.weight * along * rule.value[k];
-    else if (std::abs(along) > 1e-12)  // smaller components of a unit vector are round-off
+    if (rule.fixed[k]) gap -= end.weight * along * rule.value[k];
+    if (std::abs(along) <= 1e-12) continue;  // smaller components of a unit vector are round-off
+    if (!rule.fixed[k] && !rigid.contains(end.node))
       entries.push_back({static_cast<GlobalId>(end.node) * dimension + k, end.weight * along, end.node});
+    rigid.forEachMaster(end.node, k, [&](int node, int component, double coefficient) {
+      entries.push_back({static_cast<GlobalId>(node) * dimension + component, end.weight * along * coefficient, node});
+    });
   }
+}
+
+// Several nodes of a rigid group follow the same masters.
+void join(std::vector<Term>& sorted) {
+  std::vector<Term> joined;
+  for (const Term& term : sorted)
+    if (!joined.empty() && joined.back().dof == term.dof)
+      joined.back().coefficient += term.coefficient;
+    else
+      joined.push_back(term);
+  sorted = std::move(joined);
 }
 
 // Rows with a common unknown are in one cluster, identified by its lowest pair.
@@ -45,6 +60,7 @@ std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constra
   std::vector<int> ruleOf(mesh.nodes(), -1);
   for (std::size_t r = 0; r < constraints.rules.size(); ++r) ruleOf[constraints.rules[r].node] = static_cast<int>(r);
   const NodeRule free;
+  const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
   std::vector<ContactRow> rows;
   rows.reserve(constraints.pairs.size());
   for (const ContactPair& pair : constraints.pairs) {
@@ -60,9 +76,10 @@ std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constra
       equation.gap = component == 0 ? pair.gap : dot(pair.past.slip, frame[component]);
       std::vector<Term> entries;
       for (const PairEnd& end : pair.ends)
-        addEnd(end, ruleOf[end.node] < 0 ? free : constraints.rules[ruleOf[end.node]], frame[component], mesh.dimension, equation.gap,
-               entries);
+        addEnd(end, ruleOf[end.node] < 0 ? free : constraints.rules[ruleOf[end.node]], rigid, frame[component], mesh.dimension,
+               equation.gap, entries);
       std::sort(entries.begin(), entries.end(), [](const Term& a, const Term& b) { return a.dof < b.dof; });
+      if (!rigid.empty()) join(entries);
       for (const Term& entry : entries) {
         equation.dofs.push_back(entry.dof);
         equation.coefficients.push_back(entry.coefficient);

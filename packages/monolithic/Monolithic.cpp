@@ -166,8 +166,10 @@ void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicS
   }
   std::vector<const NodeRule*> ruleOf(mesh.nodes(), nullptr);
   for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
+  const RigidGroupNodes rigid(constraints.rigidGroups, dimension);
   for (int i = 0; i < mesh.nodes(); ++i)
-    result.balance.addNode(nodal(system.nodalForces(), i, dimension), nodal(support, i, dimension), ruleOf[i], dimension);
+    result.balance.addNode(nodal(system.nodalForces(), i, dimension), nodal(support, i, dimension), ruleOf[i], dimension,
+                           rigid.contains(i));
   system.addParts(result.displacement, result.balance);
   result.balance.finish(mesh.axisymmetric);
 }

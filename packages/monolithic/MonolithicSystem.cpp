@@ -24,7 +24,7 @@ Vector inAxes(const NodeRule* rule, const Point& direction, int dimension) {
 }  // namespace
 
 MonolithicSystem::MonolithicSystem(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model)
-    : mesh_(mesh), constraints_(constraints), model_(model), forces_(nodalLoads(mesh, model)) {
+    : mesh_(mesh), constraints_(constraints), model_(model), forces_(nodalLoads(mesh, model)), rigid_(constraints.rigidGroups, mesh.dimension) {
   requireGeometry(mesh, model);
   number();
   assemble();
@@ -155,6 +155,10 @@ void MonolithicSystem::assemble() {
   const int dimension = mesh_.dimension;
   load_ = onFree(forces_);
   energy_ = -forces_.dot(expand(Vector::Zero(dofs_)));
+  if (!constraints_.rigidGroups.empty()) {
+    assembleWithRigidGroups();
+    return;
+  }
 
   SparseMatrix matrix = pattern();
   const int *outer = matrix.outerIndexPtr(), *inner = matrix.innerIndexPtr();
@@ -194,6 +198,47 @@ void MonolithicSystem::assemble() {
   stiffness_ = SymmetricMatrix(std::move(matrix));
 }
 
+void MonolithicSystem::assembleWithRigidGroups() {
+  const int dimension = mesh_.dimension;
+  std::vector<Eigen::Triplet<double>> entries;
+  Matrix k;
+  const auto take = [&](int element, ConstLocalView stiffness) {
+    const Span<const int> nodes = mesh_.nodesOf(element);
+    const auto size = static_cast<int>(nodes.size()) * dimension;
+    std::vector<std::vector<std::pair<int, double>>> unknowns(static_cast<std::size_t>(size));
+    Vector given(size);
+    k = stiffness;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const Eigen::Index at = Eigen::Index(i) * dimension;
+      for (int c = 0; c < dimension; ++c) {
+        given[at + c] = prescribed_[component(nodes[i], c)];
+        forEachUnknown(nodes[i], c, [&](int unknown, double coefficient) {
+          unknowns[static_cast<std::size_t>(at + c)].emplace_back(unknown, coefficient);
+        });
+      }
+      if (ruleOf_[nodes[i]] < 0) continue;
+      const Matrix axes = axesOf(constraints_.rules[ruleOf_[nodes[i]]], dimension);
+      k.middleRows(at, dimension) = (axes * k.middleRows(at, dimension)).eval();
+      k.middleCols(at, dimension) = (k.middleCols(at, dimension) * axes.transpose()).eval();
+    }
+    const Vector held = k * given;
+    energy_ += 0.5 * given.dot(held);
+    for (int r = 0; r < size; ++r)
+      for (const auto& [row, left] : unknowns[static_cast<std::size_t>(r)]) {
+        load_[row] -= left * held[r];
+        for (int s = 0; s < size; ++s)
+          for (const auto& [column, right] : unknowns[static_cast<std::size_t>(s)])
+            if (row >= column) entries.emplace_back(row, column, left * k(r, s) * right);
+      }
+  };
+  supportedStiffnesses(
+      mesh_, mesh_.sideGroups,
+      [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); }, model_, take);
+  SparseMatrix matrix(dofs_, dofs_);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  stiffness_ = SymmetricMatrix(std::move(matrix));
+}
+
 Vector MonolithicSystem::onFree(const Vector& nodal) const {
   const int dimension = mesh_.dimension;
   Vector own = Vector::Zero(dofs_);
@@ -201,7 +246,7 @@ Vector MonolithicSystem::onFree(const Vector& nodal) const {
     Vector force = nodal.segment(component(node, 0), dimension);
     if (ruleOf_[node] >= 0) force = axesOf(constraints_.rules[ruleOf_[node]], dimension) * force;
     for (int k = 0; k < dimension; ++k)
-      if (isFree(component(node, k))) own[index_[component(node, k)]] = force[k];
+      forEachUnknown(node, k, [&](int unknown, double coefficient) { own[unknown] += coefficient * force[k]; });
   }
   return own;
 }
@@ -211,6 +256,11 @@ Vector MonolithicSystem::expand(const Vector& x) const {
   Vector u = prescribed_;
   for (std::size_t c = 0; c < index_.size(); ++c)
     if (index_[c] >= 0) u[c] = x[index_[c]];
+  for (const RigidGroup& group : constraints_.rigidGroups)
+    for (const int node : group.nodes)
+      for (int k = 0; k < dimension; ++k)
+        if (!isFree(component(node, k)))
+          forEachUnknown(node, k, [&](int unknown, double coefficient) { u[component(node, k)] += coefficient * x[unknown]; });
   for (const NodeRule& rule : constraints_.rules) {
     auto local = u.segment(component(rule.node, 0), dimension);
     local = (axesOf(rule, dimension).transpose() * local).eval();

@@ -55,6 +55,15 @@ class MonolithicSystem {
   void number();
   SparseMatrix pattern() const;
   void assemble();
+  void assembleWithRigidGroups();
+  /// Calls each(unknown, coefficient) for the unknowns on which a component depends: itself if it is free, the masters in a rigid group.
+  template <typename Each>
+  void forEachUnknown(int node, int k, const Each& each) const {
+    if (index_[component(node, k)] >= 0)
+      each(index_[component(node, k)], 1.0);
+    else
+      rigid_.forEachMaster(node, k, [&](int master, int c, double coefficient) { each(index_[component(master, c)], coefficient); });
+  }
 
   int component(int node, int k) const { return node * mesh_.dimension + k; }
   bool isFree(int dof) const { return index_[dof] >= 0; }
@@ -67,6 +76,7 @@ class MonolithicSystem {
   std::vector<int> index_;   // node-major component in nodal axes -> unknown, or -1 when prescribed
   Vector prescribed_;        // node-major in nodal axes; zero where free
   Vector forces_, load_;
+  RigidGroupNodes rigid_;
   double energy_ = 0.0;
   SymmetricMatrix stiffness_;
   std::vector<Row> rows_;

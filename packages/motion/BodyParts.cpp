@@ -137,10 +137,15 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
       own.emplace_back(amplitudes + 1);
       own.back() << row, value;
     };
+    const RigidGroupNodes rigid(mesh.rigidGroups, dimension);
     for (const NodeRule& rule : mesh.rules)
       for (int k = 0; k < dimension; ++k)
         if (rule.fixed[k]) {
-          add(along(part, mesh.point(rule.node), rule.axes[k], dimension), rule.value[k]);
+          Vector row = along(part, mesh.point(rule.node), rule.axes[k], dimension);
+          rigid.forEachMaster(rule.node, k, [&](int node, int component, double coefficient) {
+            row -= coefficient * part.at(mesh.point(node), dimension).row(component).transpose();
+          });
+          add(row, rule.value[k]);
           fixed[partOf[s]].push_back(own.back());
         }
     for (const SpringDirection& spring : mesh.springs) {

@@ -24,13 +24,15 @@ std::string number(double value, double scale) {
 }
 
 // Connected components of the nodes, numbered in the order of their first nodes.
-std::vector<int> components(const CellBlock& block) {
+std::vector<int> components(const CellBlock& block, const std::vector<RigidGroup>& rigidGroups) {
   DisjointSets sets(block.nodes());
   for (int e = 0; e < block.elements(); ++e) {
     const Span<const int> nodes = block.nodesOf(e);
     int lowest = nodes[0];
     for (const int node : nodes) lowest = sets.join(lowest, node);
   }
+  for (const RigidGroup& group : rigidGroups)
+    for (const int node : group.nodes) sets.join(group.nodes.front(), node);
   std::vector<int> number(block.nodes(), -1), part(block.nodes());
   int parts = 0;
   for (int i = 0; i < block.nodes(); ++i) {
@@ -97,7 +99,7 @@ std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimensi
 RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bool bodiesAreConnected) {
   const int dimension = mesh.dimension, amplitudes = rigidMotions(dimension);
   RigidParts all;
-  all.partOfNode = bodiesAreConnected ? mesh.bodyOfNode : components(mesh);
+  all.partOfNode = bodiesAreConnected ? mesh.bodyOfNode : components(mesh, constraints.rigidGroups);
   const int count = all.partOfNode.empty() ? 0 : 1 + *std::max_element(all.partOfNode.begin(), all.partOfNode.end());
   all.parts.resize(count);
 
@@ -138,9 +140,16 @@ RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bo
     const Matrix motion = all.parts[part].at(mesh.point(node), dimension);
     rows[part].row(rowsOf[part]++) = Eigen::Map<const Vector>(direction.data(), dimension).transpose() * motion;
   };
+  const RigidGroupNodes rigid(constraints.rigidGroups, dimension);
   for (const NodeRule& rule : constraints.rules)
-    for (int k = 0; k < dimension; ++k)
-      if (rule.fixed[k]) addRow(rule.node, rule.axes[k]);
+    for (int k = 0; k < dimension; ++k) {
+      if (!rule.fixed[k]) continue;
+      addRow(rule.node, rule.axes[k]);
+      const int part = all.partOfNode[rule.node];
+      rigid.forEachMaster(rule.node, k, [&](int node, int component, double coefficient) {
+        rows[part].row(rowsOf[part] - 1) -= coefficient * all.parts[part].at(mesh.point(node), dimension).row(component);
+      });
+    }
   for (const SpringDirection& spring : constraints.springs) addRow(spring.node, spring.direction);
   for (int part = 0; part < count; ++part) all.parts[part].free = nullSpace(rows[part]);
   return all;

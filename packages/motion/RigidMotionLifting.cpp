@@ -64,7 +64,9 @@ void round(Vector& amplitudes) {
 class Lifting {
  public:
   Lifting(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry)
-      : comm_(comm), meshes_(meshes), carry_(carry) {}
+      : comm_(comm), meshes_(meshes), carry_(carry) {
+    for (const SubdomainMesh& mesh : meshes) rigid_.emplace_back(mesh.rigidGroups, mesh.dimension);
+  }
   bool run();
   /// Moves a lifted scene again, by amplitudes of each part.
   void further(const std::vector<Vector>& motion);
@@ -81,9 +83,19 @@ class Lifting {
     return motionAt(parts_->parts[part], amplitudes_[part], meshes_[mesh].point(node), dimension_);
   }
 
+  /// Part of a rule's value that a motion accounts for. \param moved  motion of the rule's node
+  Extended movedBy(std::size_t mesh, const NodeRule& rule, int component, const std::array<Extended, 3>& moved) const {
+    Extended along = dot(rule.axes[std::size_t(component)], moved);
+    rigid_[mesh].forEachMaster(rule.node, component, [&](int node, int master, double coefficient) {
+      along -= coefficient * at(mesh, node)[std::size_t(master)];
+    });
+    return along;
+  }
+
   const Comm& comm_;
   std::vector<SubdomainMesh>& meshes_;
   const CarriedMotions& carry_;
+  std::vector<RigidGroupNodes> rigid_;  // by mesh
   int dimension_ = 2;
   std::unique_ptr<BodyParts> parts_;
   std::vector<Amplitudes> amplitudes_;  // by part
@@ -97,7 +109,7 @@ void Lifting::takeTranslationsAsPrescribed() {
   for (std::size_t s = 0; s < meshes_.size(); ++s)
     for (const NodeRule& rule : meshes_[s].rules)
       for (std::size_t k = 0; k < d; ++k) {
-        if (!rule.fixed[k] || rule.axes[k][k] != 1.0) continue;
+        if (!rule.fixed[k] || rule.axes[k][k] != 1.0 || rigid_[s].contains(rule.node)) continue;
         double* own = &mine[2 * (d * std::size_t(parts_->partOf[s]) + k)];
         own[0] = std::max(own[0], rule.value[k]);
         own[1] = std::max(own[1], -rule.value[k]);
@@ -130,7 +142,7 @@ bool Lifting::choose() {
         if (!rule.fixed[k]) continue;
         double *value = &mine[2 * parts_->partOf[s]], *rest = value + 1;
         *value = std::max(*value, std::abs(rule.value[k]));
-        *rest = std::max(*rest, std::abs(double(rule.value[k] - dot(rule.axes[k], moved))));
+        *rest = std::max(*rest, std::abs(double(rule.value[k] - movedBy(s, rule, k, moved))));
       }
     }
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, int(mine.size()), mine.data(), all.data());
@@ -161,7 +173,7 @@ void Lifting::shiftRules() {
       NodeRule& rule = mesh.rules[r];
       const auto moved = at(s, rule.node);
       for (int k = 0; k < dimension_; ++k)
-        if (rule.fixed[k]) rule.value[k] = double(mesh.lift.values[r][k] - dot(rule.axes[k], moved));
+        if (rule.fixed[k]) rule.value[k] = double(mesh.lift.values[r][k] - movedBy(s, rule, k, moved));
     }
     for (int node = 0; node < mesh.nodes(); ++node) {
       const auto moved = at(s, node);

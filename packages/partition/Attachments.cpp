@@ -66,6 +66,7 @@ std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& cons
     for (const Side& side : sides) ofElement(side.element).sideGroups[name].push_back(side);
   for (const NodeRule& rule : constraints.rules) ofNode(rule.node).rules.push_back(rule);
   for (const Support& support : constraints.supports) ofNode(support.node).supports.push_back(support);
+  for (const RigidGroup& group : constraints.rigidGroups) ofNode(group.nodes.front()).rigidGroups.push_back(group);
   for (const SpringDirection& spring : constraints.springs) ofElement(spring.element).springs.push_back(spring);
   for (const ContactPair& pair : constraints.pairs)
     for (std::size_t end = 0; end < pair.ends.size(); ++end) {

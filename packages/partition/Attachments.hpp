@@ -15,6 +15,7 @@ struct Attachments {
   SideGroups sideGroups;
   std::vector<NodeRule> rules;
   std::vector<Support> supports;
+  std::vector<RigidGroup> rigidGroups;
   std::vector<SpringDirection> springs;
   std::vector<SubdomainMesh::ContactEnd> contactEnds;  ///< by pair, then end
   std::vector<ContactRow> rows;                        ///< rows that any subdomain of these bodies needs
@@ -24,7 +25,7 @@ struct Attachments {
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.sideGroups), each(self.rules), each(self.supports), each(self.springs), each(self.contactEnds), each(self.rows),
+    each(self.sideGroups), each(self.rules), each(self.supports), each(self.rigidGroups), each(self.springs), each(self.contactEnds), each(self.rows),
         each(self.rowsOf), each(self.cells), each(self.cellsOf);
   }
 };

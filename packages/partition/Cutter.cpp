@@ -1,8 +1,33 @@
 #include <algorithm>
+#include <map>
+#include <set>
 #include <suture/partition/Cutter.hpp>
 #include <tuple>
 
 namespace suture {
+
+namespace {
+
+/// All subdomains that hold a node of a rigid group also hold its masters.
+NodeSubdomains holdersWithMasters(const MeshShare& share, const std::vector<RigidGroup>& rigidGroups) {
+  std::map<int, std::set<int>> more;  // holders of masters
+  for (const RigidGroup& group : rigidGroups)
+    for (const int node : group.nodes)
+      for (const int s : share.holders.of(share.localNode(node)))
+        for (const int master : group.masterNodes) more[share.localNode(master)].insert(s);
+  NodeSubdomains all;
+  const int nodes = static_cast<int>(share.holders.offsets.size()) - 1;
+  for (int node = 0; node < nodes; ++node) {
+    if (const auto found = more.find(node); found != more.end())
+      all.subdomains.insert(all.subdomains.end(), found->second.begin(), found->second.end());
+    else
+      for (const int s : share.holders.of(node)) all.subdomains.push_back(s);
+    all.offsets.push_back(static_cast<int>(all.subdomains.size()));
+  }
+  return all;
+}
+
+}  // namespace
 
 Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments& attachments, const Partition& partition)
     : block_(share.block(mesh)),
@@ -18,11 +43,14 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
       ends_(partition.subdomains()),
       seams_(partition.subdomains()),
       edges_(partition.subdomains()),
+      rigidGroups_(partition.subdomains()),
+      withMasters_(attachments.rigidGroups.empty() ? NodeSubdomains() : holdersWithMasters(share, attachments.rigidGroups)),
+      holders_(attachments.rigidGroups.empty() ? share.holders : withMasters_),
       localNode_(block_.nodes(), -1),
       localElement_(block_.elements(), -1) {
   for (int e = 0; e < block_.elements(); ++e) elements_[share.subdomainOfElement[e]].push_back(e);
   for (int node = 0; node < block_.nodes(); ++node)
-    for (int s : share.holders.of(node)) nodes_[s].push_back(node);
+    for (int s : holders_.of(node)) nodes_[s].push_back(node);
   for (const auto& [name, sides] : attachments.sideGroups)
     for (const Side& side : sides) {
       const int e = share.localElement(side.element);
@@ -30,11 +58,11 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
     }
   for (NodeRule rule : attachments.rules) {
     rule.node = share.localNode(rule.node);
-    for (int s : share.holders.of(rule.node)) rules_[s].push_back(rule);
+    for (int s : holders_.of(rule.node)) rules_[s].push_back(rule);
   }
   for (Support support : attachments.supports) {
     support.node = share.localNode(support.node);
-    for (int s : share.holders.of(support.node)) supports_[s].push_back(support);
+    for (int s : holders_.of(support.node)) supports_[s].push_back(support);
   }
   for (SpringDirection spring : attachments.springs) {
     spring.element = share.localElement(spring.element);
@@ -43,10 +71,31 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
   }
   for (SubdomainMesh::ContactEnd end : attachments.contactEnds) {
     end.node = share.localNode(end.node);
-    for (int s : share.holders.of(end.node)) ends_[s].push_back(end);
+    for (int s : holders_.of(end.node)) ends_[s].push_back(end);
   }
+  sortRigidGroups();
   findSeamSides();
   if (block_.dimension == 3) findSeamEdges();
+}
+
+/// Each subdomain gets the part of a group that it holds.
+void Cutter::sortRigidGroups() {
+  const int d = block_.dimension;
+  for (const RigidGroup& group : attachments_.rigidGroups) {
+    std::map<int, std::vector<std::size_t>> placesOf;  // by subdomain
+    for (std::size_t place = 0; place < group.nodes.size(); ++place)
+      for (const int s : holders_.of(share_.localNode(group.nodes[place]))) placesOf[s].push_back(place);
+    for (const auto& [s, places] : placesOf) {
+      RigidGroup& part = rigidGroups_[static_cast<std::size_t>(s)].emplace_back();
+      part.condition = group.condition;
+      part.masterComponents = group.masterComponents;
+      for (const int master : group.masterNodes) part.masterNodes.push_back(share_.localNode(master));
+      for (const std::size_t place : places) {
+        part.nodes.push_back(share_.localNode(group.nodes[place]));
+        part.coefficients.insert(part.coefficients.end(), group.row(place, 0, d), group.row(place, 0, d) + d * group.masters());
+      }
+    }
+  }
 }
 
 // Only sides whose vertices are all shared can lie on a seam: work proportional to the elements, memory to the seams.
@@ -56,7 +105,7 @@ void Cutter::findSeamSides() {
     int element, side;
   };
   std::vector<Candidate> candidates;
-  const auto isShared = [this](int node) { return share_.holders.of(node).size() > 1; };
+  const auto isShared = [this](int node) { return holders_.of(node).size() > 1; };
   for (int e = 0; e < block_.elements(); ++e) {
     const CellInfo& cell = cellInfo(block_.cells[e]);
     const Span<const int> nodes = block_.nodesOf(e);
@@ -94,7 +143,7 @@ void Cutter::findSeamEdges() {
     int low, high, middle, subdomain;
   };
   std::vector<Candidate> all, onSides;
-  const auto isShared = [this](int node) { return share_.holders.of(node).size() > 1; };
+  const auto isShared = [this](int node) { return holders_.of(node).size() > 1; };
   const auto candidate = [&](int e, int edge, int subdomain) {
     const CellInfo& cell = cellInfo(block_.cells[e]);
     const Span<const int> nodes = block_.nodesOf(e);
@@ -163,7 +212,7 @@ void Cutter::cutElements(SubdomainMesh& part) {
   for (int node : nodes) {
     part.globalNodes.push_back(share_.globalNode(node));
     for (int k = 0; k < block_.dimension; ++k) part.coordinates.push_back(block_.coordinates[std::size_t(node) * block_.dimension + k]);
-    for (int s : share_.holders.of(node))
+    for (int s : holders_.of(node))
       if (s != part.id) part.sharedWith.push_back(s);
     part.sharedOffsets.push_back(static_cast<int>(part.sharedWith.size()));
   }
@@ -176,6 +225,10 @@ void Cutter::cutConstraints(SubdomainMesh& part) const {
   for (NodeRule& rule : part.rules) rule.node = localNode_[rule.node];
   part.supports = supports_[part.id];
   for (Support& support : part.supports) support.node = localNode_[support.node];
+  part.rigidGroups = rigidGroups_[part.id];
+  for (RigidGroup& group : part.rigidGroups)
+    for (std::vector<int>* nodes : {&group.nodes, &group.masterNodes})
+      for (int& node : *nodes) node = localNode_[node];
   part.springs = springs_[part.id];
   for (SpringDirection& spring : part.springs) spring = {localElement_[spring.element], localNode_[spring.node], spring.direction};
   part.contactEnds = ends_[part.id];

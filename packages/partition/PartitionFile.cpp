@@ -19,7 +19,7 @@ std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 /// Version of the format, sizes of the types that are written in their memory layout (which depends on the compiler), and the bytes of a
 /// mesh with one contact row, which change when a field is added or removed.
 std::string version() {
-  std::string text = "7";
+  std::string text = "8";
   SubdomainMesh sample;
   sample.contactRows.resize(1);
   sample.contactRows[0].equations.resize(1);

@@ -2,19 +2,22 @@
 #include <suture/partition/Seams.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace suture {
 
 std::vector<SeamEntity> findSeams(const std::vector<const SubdomainMesh*>& subdomains) {
   EntityGraph graph;
   for (const SubdomainMesh* part : subdomains) {
+    std::set<int> masters;  // their unknowns move many nodes: no part of an edge or face
+    for (const RigidGroup& group : part->rigidGroups) masters.insert(group.masterNodes.begin(), group.masterNodes.end());
     for (int node = 0; node < part->nodes(); ++node) {
       const Span<const int> others = part->others(node);
       if (others.empty()) continue;
       std::vector<int> sharers(others.begin(), others.end());
       sharers.push_back(part->id);
       std::sort(sharers.begin(), sharers.end());
-      graph.addNode(part->globalNodes[node], std::move(sharers));
+      graph.addNode(part->globalNodes[node], std::move(sharers), masters.count(node) > 0);
     }
   }
   for (const SubdomainMesh* part : subdomains) {

@@ -21,6 +21,7 @@ void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.globalElements);
   each(part.sideGroups);
   each(part.rules);
+  each(part.rigidGroups);
   each(part.supports);
   each(part.springs);
   each(part.sharedOffsets);

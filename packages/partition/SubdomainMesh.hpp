@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/constraints/RigidGroup.hpp>
 #include <suture/mesh/CellBlock.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/pairs/ContactRow.hpp>
@@ -24,6 +25,7 @@ struct SubdomainMesh : CellBlock {
   SideGroups sideGroups;                          ///< the mesh's side groups, restricted to this subdomain
   std::vector<NodeRule> rules;                    ///< node: local
   std::vector<Support> supports;                  ///< likewise
+  std::vector<RigidGroup> rigidGroups;            ///< nodes: local; all masters, also those that are in no element of this subdomain
   std::vector<SpringDirection> springs;           ///< springs on sides of this subdomain; element and node: local
   std::vector<int> sharedOffsets{0}, sharedWith;  ///< nodes + 1; for each local node the other subdomains of its body that hold it
 

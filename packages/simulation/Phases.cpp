@@ -89,6 +89,10 @@ Phases::Phases(const Scene& scene) {
   if (hasControlledLoads(scene))
     problems.add("Boundary Conditions",
                  "a Mean Displacement or Preload in a scene with bodies that are removed or placed is not supported");
+  const Parameters& conditions = scene.settings().sublist("Boundary Conditions");
+  for (const std::string& name : sublistNames(conditions))
+    if (conditions.sublist(name).get<std::string>("Type") == "Rigid Group")
+      problems.add(pathOf(conditions.sublist(name)), "a Rigid Group in a scene with bodies that are removed or placed is not supported");
   problems.throwIfAny();
 
   std::set<double> begins{0.0};

@@ -35,6 +35,7 @@ class Neighbourhoods {
           seen_[other] = node;
           all.push_back(other);
         }
+    if (of(node).size() == 0) all.push_back(node);  // a master of a rigid group that is in no element here
     std::sort(all.begin() + begin, all.end());
   }
 

@@ -40,6 +40,28 @@ Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.no
       free_.push_back(static_cast<int>(i));
     }
   }
+  if (!mesh.rigidGroups.empty()) expandRigidGroups();
+}
+
+void Subdomain::expandRigidGroups() {
+  const int d = components();
+  const RigidGroupNodes rigid(mesh_.rigidGroups, d);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < static_cast<int>(numberOf_.size()); ++i)
+    if (numberOf_[i] >= 0) entries.emplace_back(i, numberOf_[i], 1.0);
+  for (const int i : fixed_)
+    rigid.forEachMaster(i / d, i % d, [&](int node, int component, double coefficient) {
+      entries.emplace_back(i, numberOf_[node * d + component], coefficient);
+    });
+  expansion_ = SparseMatrix(static_cast<int>(numberOf_.size()), dofs());
+  expansion_.setFromTriplets(entries.begin(), entries.end());
+}
+
+Vector Subdomain::expanded(const Vector& freeValues) const {
+  Vector all = prescribed_;
+  if (expansion_.rows() > 0) return all + expansion_ * freeValues;
+  for (int i = 0; i < dofs(); ++i) all(free_[i]) = freeValues(i);
+  return all;
 }
 
 void Subdomain::takePrescribed() {
@@ -54,8 +76,10 @@ void Subdomain::takePrescribed() {
 void Subdomain::liftLoad() {
   const Vector given = rowsAt(prescribed_, fixed_);
   const Vector held = held_ * given, lifted = fullLoad_ - held;
-  load_.resize(dofs());
-  for (int i = 0; i < dofs(); ++i) load_(i) = lifted(free_[i]);
+  if (expansion_.rows() > 0)
+    load_ = expansion_.transpose() * lifted;
+  else
+    load_ = rowsAt(lifted, free_);
   constantEnergy_ = 0.5 * prescribed_.dot(held) - prescribed_.dot(fullLoad_);
 }
 
@@ -85,16 +109,22 @@ void Subdomain::assemble() {
     throw NumericalError("subdomain '" + mesh_.name + "': the assembled matrix or load has the wrong size");
   stiffness_ = SymmetricMatrix(std::move(assembled));
   held_ = SparseMatrix(n, static_cast<int>(fixed_.size()));
-  if (!fixed_.empty()) {
+  if (!fixed_.empty() || expansion_.rows() > 0) {
     const SparseMatrix full = stiffness_.full();
     std::vector<int> all(n);
     std::iota(all.begin(), all.end(), 0);
     held_ = block(full, all, fixed_);
-    stiffness_ = SymmetricMatrix(block(full, free_, free_));
+    if (expansion_.rows() > 0) {
+      whole_ = std::move(stiffness_);
+      stiffness_ = SymmetricMatrix(SparseMatrix(expansion_.transpose() * full * expansion_));
+    } else {
+      stiffness_ = SymmetricMatrix(block(full, free_, free_));
+    }
   }
+  const RigidGroupNodes rigid(mesh_.rigidGroups, components());
   const Vector diagonal = stiffness_.diagonal();
   for (int i = 0; i < dofs(); ++i)
-    if (!(diagonal(i) > 0.0)) {
+    if (!(diagonal(i) > 0.0) && !rigid.contains(nodeOf(i))) {
       const Point p = mesh_.point(nodeOf(i));
       std::ostringstream text;
       text << "subdomain '" << mesh_.name << "': no stiffness at node " << placeText(p, mesh_.dimension);
@@ -105,8 +135,44 @@ void Subdomain::assemble() {
 
   const Matrix modes = doRigidModes(), onSprings = springModes(modes);
   heldModes_ = Matrix(onSprings.rows() + Eigen::Index(fixed_.size()), modes.cols());
-  heldModes_ << rowsAt(modes, fixed_), onSprings;
+  const Matrix atFree = rowsAt(modes, free_);
+  const Matrix following = expansion_.rows() > 0 ? Matrix(modes - expansion_ * atFree) : modes;  // what prescribed values must account for
+  heldModes_ << rowsAt(following, fixed_), onSprings;
   freeMotions_ = nullSpace(heldModes_);
+}
+
+Matrix Subdomain::kernel() const {
+  const Matrix rigid = rigidModes() * freeMotions_, idle = idleMasters();
+  if (idle.cols() == 0) return rigid;
+  Matrix all(rigid.rows(), rigid.cols() + idle.cols());
+  all << rigid, idle;
+  return all;
+}
+
+/// A subdomain with few nodes of a rigid group does not resist every motion of the group.
+Matrix Subdomain::idleMasters() const {
+  const int d = components();
+  std::vector<Vector> columns;
+  std::vector<char> hasElement(mesh_.rigidGroups.empty() ? 0 : mesh_.nodes(), 0);
+  if (!hasElement.empty())
+    for (const int node : mesh_.connectivity) hasElement[node] = 1;
+  for (const RigidGroup& group : mesh_.rigidGroups) {
+    std::vector<const double*> rows;
+    for (std::size_t place = 0; place < group.nodes.size(); ++place)
+      for (int k = 0; hasElement[group.nodes[place]] && k < d; ++k) rows.push_back(group.row(place, k, d));
+    Matrix moved(static_cast<Eigen::Index>(rows.size()), group.masters());
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (int m = 0; m < group.masters(); ++m) moved(static_cast<Eigen::Index>(r), m) = rows[r][m];
+    const Matrix idle = nullSpace(moved);
+    for (Eigen::Index c = 0; c < idle.cols(); ++c) {
+      columns.push_back(Vector::Zero(dofs()));
+      for (int m = 0; m < group.masters(); ++m)
+        columns.back()(dof(group.masterNodes[static_cast<std::size_t>(m)], group.masterComponents[static_cast<std::size_t>(m)])) = idle(m, c);
+    }
+  }
+  Matrix all(dofs(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) all.col(static_cast<Eigen::Index>(c)) = columns[c];
+  return all;
 }
 
 SparseMatrix Subdomain::assembled(
@@ -153,7 +219,18 @@ Matrix Subdomain::stresses(const Vector& displacement) const {
 
 ElementForces Subdomain::internalForces(const Vector& displacement) const {
   const int d = components(), n = static_cast<int>(numberOf_.size());
-  const Vector u = inAxes(displacement), free = rowsAt(u, free_), given = rowsAt(u, fixed_);
+  const Vector u = inAxes(displacement);
+  if (expansion_.rows() > 0) {
+    const SparseMatrix full = whole_.full(), sizes = full.cwiseAbs();
+    ElementForces all{outOfAxes(full * u), Vector::Zero(mesh_.nodes()), Vector::Zero(mesh_.nodes())};
+    const Vector absolute = sizes * u.cwiseAbs(), diagonal = whole_.diagonal();
+    for (int i = 0; i < n; ++i) {
+      all.rounding(i / d) += std::numeric_limits<double>::epsilon() * absolute(i);
+      all.stiffness(i / d) += diagonal(i) / d;
+    }
+    return all;
+  }
+  const Vector free = rowsAt(u, free_), given = rowsAt(u, fixed_);
   const auto product = [&](const Vector& onFree, const Vector& onFixed, auto&& times, auto&& held) {
     Vector all = held * onFixed;  // rows of the free unknowns: contribution of the prescribed ones
     const Vector inside = times(onFree);
@@ -224,9 +301,7 @@ Vector Subdomain::outOfAxes(Vector values) const {
 }
 
 Vector Subdomain::cartesian(const Vector& values) const {
-  Vector all = prescribed_;
-  for (int i = 0; i < dofs(); ++i) all(free_[i]) = values(i);
-  return outOfAxes(std::move(all));
+  return outOfAxes(expanded(values));
 }
 
 Vector Subdomain::freeValues(const Vector& cartesian) const {
@@ -238,9 +313,7 @@ Vector Subdomain::freeValues(const Vector& cartesian) const {
 
 void Subdomain::resultants(const Vector& values, Point& applied, Point& reactions, double& absoluteForces) const {
   const int d = components();
-  Vector all = prescribed_;
-  for (int i = 0; i < dofs(); ++i) all(free_[i]) = values(i);
-  const Vector reaction = held_.transpose() * all;
+  const Vector all = expanded(values), reaction = held_.transpose() * all;
   Vector force = Vector::Zero(all.size());
   for (std::size_t i = 0; i < fixed_.size(); ++i) force(fixed_[i]) = reaction(static_cast<int>(i)) - fullLoad_(fixed_[i]);
   Vector load = fullLoad_;

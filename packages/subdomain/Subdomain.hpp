@@ -65,7 +65,8 @@ class Subdomain {
   Hint hint(const std::string& name) const;
   Matrix rigidModes() const;                                     ///< free x all rigid-body modes
   const Matrix& heldModes() const { return heldModes_; }         ///< prescribed components and springs x all rigid-body modes
-  Matrix kernel() const { return rigidModes() * freeMotions_; }  ///< null space of stiffness(): modes that vanish at prescribed components
+  /// Null space of stiffness(): modes that vanish at prescribed components, and masters of rigid groups that move no node of an element here.
+  Matrix kernel() const;
 
   /// Nodal displacements (node-major, Cartesian) from the values of the free unknowns, including prescribed components.
   Vector cartesian(const Vector& freeValues) const;
@@ -98,6 +99,10 @@ class Subdomain {
 
  private:
   void takePrescribed();
+  void expandRigidGroups();
+  Matrix idleMasters() const;
+  /// All unknowns, in the axes of the nodes, from the free ones.
+  Vector expanded(const Vector& freeValues) const;
   void liftLoad();
   Matrix springModes(const Matrix& modes) const;
   Vector inAxes(const Vector& cartesian) const;
@@ -109,7 +114,9 @@ class Subdomain {
   std::vector<Matrix> axes_;
   Vector prescribed_;  // all unknowns; zero where free
   SymmetricMatrix stiffness_;
-  SparseMatrix held_;  // all unknowns x prescribed components
+  SparseMatrix held_;       // all unknowns x prescribed components
+  SparseMatrix expansion_;  // all unknowns x free ones; no rows if there are no rigid groups: each unknown is free or prescribed
+  SymmetricMatrix whole_;   // stiffness of all unknowns, only kept with rigid groups
   Vector fullLoad_, load_;
   double constantEnergy_ = 0.0;
   int loadChanges_ = 0;

@@ -159,6 +159,7 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
   const int dimension = mesh.dimension;
   std::vector<int> ruleOf(mesh.nodes(), -1);
   for (std::size_t r = 0; r < constraints.rules.size(); ++r) ruleOf[constraints.rules[r].node] = int(r);
+  const RigidGroupNodes rigid(constraints.rigidGroups, dimension);
   for (const ContactPair& pair : constraints.pairs) {
     double bound = pair.gap, size = std::abs(pair.gap) + pair.length;
     bool free = false;
@@ -168,6 +169,7 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
         break;
       }
       const NodeRule& rule = constraints.rules[ruleOf[node]];
+      free = free || rigid.moves(node);
       for (int k = 0; k < dimension; ++k) {
         double along = 0;
         for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * pair.normal[c];

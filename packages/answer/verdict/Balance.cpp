@@ -8,12 +8,12 @@
 
 namespace suture {
 
-void Balance::addNode(const Point& load, const Point& support, const NodeRule* rule, int dimension) {
+void Balance::addNode(const Point& load, const Point& support, const NodeRule* rule, int dimension, bool isRigid) {
   for (int k = 0; k < dimension; ++k) applied[k] += load[k];
   absolute_ += norm(load);
   if (!rule) return;
   for (int k = 0; k < dimension; ++k) {
-    if (!rule->fixed[k]) continue;
+    if (!rule->fixed[k] && !isRigid) continue;
     const Point& axis = rule->axes[k];
     const double along = dot(support, axis);
     for (int c = 0; c < dimension; ++c) reactions[c] += along * axis[c];

@@ -11,8 +11,9 @@ class Balance {
   double imbalance = 0.0;    ///< |applied + reactions| (axisymmetric: along the axis) over half of the sum of force magnitudes
 
   /// Adds one node; call once per node. \param load  at the node;  \param support  internal minus external and contact forces, whose
-  /// prescribed components are reactions;  \param rule  of the node, or null
-  void addNode(const Point& load, const Point& support, const NodeRule* rule, int dimension);
+  /// prescribed components are reactions;  \param rule  of the node, or null  \param isRigid  the node is in a rigid group, whose reaction
+  /// is the sum of all components
+  void addNode(const Point& load, const Point& support, const NodeRule* rule, int dimension, bool isRigid = false);
   /// Forces of elastic supports on the nodes of a mesh. \param forces  node-major, Cartesian; may be empty
   void addSupports(const Vector& forces, int dimension);
   /// Subtracts a part of the loads that does not count as a load, such as nodal forces of initial stresses.

@@ -5,6 +5,9 @@
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 
+#include <Teuchos_CommHelpers.hpp>
+
+#include <cmath>
 #include <map>
 
 namespace suture {
@@ -83,6 +86,32 @@ OwnForces forcesOf(const Answer& answer, int i, Reactions& reactions) {
   return modelForces(mesh, answer.model, answer.displacement[i], reactions);
 }
 
+/// Part of a subdomain in the sums at masters. \param nodes  NodalRows x nodes, of this subdomain alone
+Matrix sumsAtMasters(const SubdomainMesh& mesh, const Matrix& nodes) {
+  const NodalRows rows{mesh.dimension};
+  const MasterRows sums{mesh.dimension};
+  Matrix all = Matrix::Zero(sums.count(), mesh.nodes());
+  const RigidGroupNodes rigid(mesh.rigidGroups, mesh.dimension);
+  for (const RigidGroup& group : mesh.rigidGroups)
+    for (const int node : group.nodes)
+      for (int k = 0; k < mesh.dimension; ++k) {
+        const double rest = nodes(rows.applied() + k, node) + nodes(rows.contact() + k, node) - nodes(rows.internal() + k, node);
+        rigid.forEachMaster(node, k, [&](int master, int component, double coefficient) {
+          all(sums.rest() + component, master) += coefficient * rest;
+          all(sums.rounding(), master) += std::abs(coefficient) * nodes(rows.rounding(), node);
+          all(sums.stiffness(), master) += coefficient * coefficient * nodes(rows.stiffness(), node);
+        });
+      }
+  return all;
+}
+
+bool hasRigidGroups(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
+  int mine = 0, all = 0;
+  for (const SubdomainMesh& mesh : meshes) mine = mine || !mesh.rigidGroups.empty();
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
+  return all > 0;
+}
+
 }  // namespace
 
 NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchange& seams) {
@@ -107,6 +136,10 @@ NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchan
       addContact(mesh, pairs, own, all.balance);
     }
   });
+  if (hasRigidGroups(comm, answer.meshes)) {
+    for (std::size_t i = 0; i < answer.meshes.size(); ++i) all.masters.push_back(sumsAtMasters(answer.meshes[i], all.nodes[i]));
+    seams.sum(all.masters);
+  }
   seams.sum(all.nodes);
   for (std::size_t i = 0; i < answer.meshes.size(); ++i) {
     const NodalRows rows{answer.meshes[i].dimension};

@@ -17,9 +17,21 @@ struct NodalRows {
   int count() const { return 3 * dimension + 2; }
 };
 
+/// Rows of the sums over rigid groups at their masters: load + contact - K u of the whole group in the motion of the master (one row per
+/// component) [force]; round-off and stiffness.
+struct MasterRows {
+  int dimension = 2;
+
+  int rest() const { return 0; }
+  int rounding() const { return dimension; }
+  int stiffness() const { return dimension + 1; }
+  int count() const { return dimension + 2; }
+};
+
 /// Forces at the nodes of a scene, and the first part of their resultants.
 struct NodalForces {
-  std::vector<Matrix> nodes;  ///< by mesh: NodalRows x nodes, summed over subdomains
+  std::vector<Matrix> nodes;    ///< by mesh: NodalRows x nodes, summed over subdomains
+  std::vector<Matrix> masters;  ///< by mesh: MasterRows x nodes, summed over subdomains, zero except at masters; empty: no rigid groups
   /// Forces of rigid obstacles (on the rank that counts a pair), elastic supports, and initial states, which are not loads.
   Balance balance;
   Reactions reactions;  ///< sums over this rank

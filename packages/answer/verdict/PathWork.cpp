@@ -27,6 +27,7 @@ WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
     const Eigen::Map<const Matrix> u(answer.displacement[i].data(), d, mesh.nodes());
     std::vector<const NodeRule*> ruleOf(mesh.nodes(), nullptr);
     for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
+    const RigidGroupNodes rigid(mesh.rigidGroups, d);
     Matrix force = Matrix::Zero(d, mesh.nodes());
     Matrix moved = force;
     for (int node = 0; node < mesh.nodes(); ++node) {
@@ -39,9 +40,9 @@ WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
       stored += 0.5 * internal.dot(u.col(node));
       const NodeRule* rule = ruleOf[node];
       for (int k = 0; rule && k < d; ++k) {
-        if (!rule->fixed[k]) continue;
+        if (!rule->fixed[k] && !rigid.contains(node)) continue;
         const Eigen::Map<const Vector> axis(rule->axes[k].data(), d);
-        force.col(node) += axis.dot(lacking) * axis;  // force of the prescribed displacement
+        force.col(node) += axis.dot(lacking) * axis;  // force of the prescribed displacement, or of a rigid group
       }
     }
     end.force.push_back(std::move(force));

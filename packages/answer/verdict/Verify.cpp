@@ -64,7 +64,9 @@ class Verifier {
   bool axisymmetric_ = false;
   NodalRows rows_;
   std::vector<Matrix> nodes_;                        // by mesh: NodalRows x nodes, summed over subdomains
+  std::vector<Matrix> masters_;                      // likewise MasterRows x nodes; empty: no rigid groups
   std::vector<std::vector<const NodeRule*>> rules_;  // by mesh and node; null: free
+  std::vector<RigidGroupNodes> rigid_;               // by mesh
   std::vector<PairEndShare> ends_;                   // on rank 0: of all ranks
   std::vector<Deformation> deformation_;
   std::vector<BodySums> sums_;
@@ -84,6 +86,7 @@ Verifier::Verifier(const Comm& comm, const Answer& answer)
     mine[1] = std::max(mine[1], int(mesh.axisymmetric));
     rules_.emplace_back(mesh.nodes(), nullptr);
     for (const NodeRule& rule : mesh.rules) rules_.back()[rule.node] = &rule;
+    rigid_.emplace_back(mesh.rigidGroups, mesh.dimension);
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, mine, all);
   rows_.dimension = all[0];
@@ -121,6 +124,7 @@ void Verifier::gatherEnds() {
 }
 
 Point Verifier::residual(int mesh, int node, const NodeRule* rule) const {
+  if (rigid_[mesh].contains(node)) return pointOf(&masters_[mesh](MasterRows{rows_.dimension}.rest(), node), rows_.dimension);
   const Point outer = plus(at(mesh, node, rows_.applied()), at(mesh, node, rows_.contact())),
               rest = minus(outer, at(mesh, node, rows_.internal()));
   if (!rule) return rest;
@@ -146,12 +150,13 @@ void Verifier::sumBodies() {
       const Point load = at(int(i), node, rows_.applied()), contact = at(int(i), node, rows_.contact());
       const Point support = minus(minus(at(int(i), node, rows_.internal()), load), contact);
       const Point rest = residual(int(i), node, rule), x = mesh.point(node);
-      balance_.addNode(load, support, rule, rows_.dimension);
+      const bool isRigid = rigid_[i].contains(node);
+      balance_.addNode(load, support, rule, rows_.dimension, isRigid);
       body.loads += length(load);
       body.contact += length(contact);
       largestContact[mesh.body] = std::max(largestContact[mesh.body], length(contact));
       largestNodal[mesh.body] = std::max({largestNodal[mesh.body], length(load), length(contact)});
-      if (rule) body.reactions += length(plus(support, rest));
+      if (rule) body.reactions += length(isRigid ? support : plus(support, rest));
       if (rule)
         for (int k = 0; k < rows_.dimension; ++k)
           if (rule->fixed[k]) prescribed[mesh.body] = std::max(prescribed[mesh.body], std::abs(rule->value[k]));
@@ -242,8 +247,10 @@ void Verifier::judgeNodes() {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
       const Point rest = residual(int(i), node, rule), u = moved(int(i), node);
-      const double stiffness = nodes_[i](rows_.stiffness(), node),
-                   rounded = body.roundings() * (body.carriesNothing() ? body.spread : nodes_[i](rows_.rounding(), node)) / stiffness +
+      const bool isMaster = rigid_[i].contains(node) && masters_[i](MasterRows{rows_.dimension}.stiffness(), node) > 0.0;
+      const double stiffness = isMaster ? masters_[i](MasterRows{rows_.dimension}.stiffness(), node) : nodes_[i](rows_.stiffness(), node),
+                   rounding = isMaster ? masters_[i](MasterRows{rows_.dimension}.rounding(), node) : nodes_[i](rows_.rounding(), node),
+                   rounded = body.roundings() * (body.carriesNothing() ? body.spread : rounding) / stiffness +
                              Bounds::node.ofRounding(body) / stiffness;
       Point along = rest;  // without directions of contact: checked by Contact and the pairs, and affected by round-off of stiff neighbours
       for (const Point& n : taken[node]) along = minus(along, scaled(dot(along, n), n));
@@ -258,9 +265,14 @@ void Verifier::judgeNodes() {
       if (!rule) continue;
       for (int k = 0; k < rows_.dimension; ++k) {
         if (!rule->fixed[k]) continue;
-        findings_.take(Quantity::Prescribed, std::abs(dot(rule->axes[k], u) - rule->value[k]),
-                       Bounds::geometry * body.deformation + 8 * unitRoundoff * (length(u) + std::abs(rule->value[k])), body.deformation,
-                       place(int(i), node));
+        double apart = dot(rule->axes[k], u) - rule->value[k], size = length(u) + std::abs(rule->value[k]);
+        rigid_[i].forEachMaster(node, k, [&](int master, int component, double coefficient) {
+          const double follows = coefficient * moved(int(i), master)[std::size_t(component)];
+          apart -= follows;
+          size += std::abs(follows);
+        });
+        findings_.take(Quantity::Prescribed, std::abs(apart), Bounds::geometry * body.deformation + 8 * unitRoundoff * size,
+                       body.deformation, place(int(i), node));
       }
     }
   }
@@ -324,6 +336,7 @@ Verification Verifier::run() {
   deformation_ = deformations(comm_, answer_.meshes, answer_.displacement, bodies_);
   NodalForces forces = nodalForces(comm_, answer_, seams);
   nodes_ = std::move(forces.nodes);
+  masters_ = std::move(forces.masters);
   balance_ = forces.balance;
   reactions_ = std::move(forces.reactions);
   gatherEnds();

@@ -84,14 +84,21 @@ void judgeMotion(const SubdomainMesh& mesh, Findings& findings) {
 }
 
 void judgeRules(const SubdomainMesh& mesh, Findings& findings) {
+  const RigidGroupNodes rigid(mesh.rigidGroups, mesh.dimension);
   for (std::size_t r = 0; r < mesh.rules.size(); ++r) {
     const NodeRule& rule = mesh.rules[r];
     const Point motion = motionOf(mesh, rule.node);
     for (int k = 0; k < mesh.dimension; ++k) {
       if (!rule.fixed[k]) continue;
-      const double before = mesh.lift.values.at(r)[k], size = length(motion) + std::abs(before);
-      findings.take(Quantity::Prescribed, std::abs(dot(rule.axes[k], motion) + rule.value[k] - before), kRounded * unitRoundoff * size,
-                    size, at(mesh, rule.node));
+      const double before = mesh.lift.values.at(r)[k];
+      double size = length(motion) + std::abs(before), along = dot(rule.axes[k], motion);
+      rigid.forEachMaster(rule.node, k, [&](int node, int component, double coefficient) {
+        const double follows = coefficient * motionOf(mesh, node)[std::size_t(component)];
+        along -= follows;
+        size += std::abs(follows);
+      });
+      findings.take(Quantity::Prescribed, std::abs(along + rule.value[k] - before), kRounded * unitRoundoff * size, size,
+                    at(mesh, rule.node));
     }
   }
 }

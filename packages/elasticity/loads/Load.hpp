@@ -18,7 +18,8 @@ struct ConditionForm;
 /// A load of the scene: on named side groups, at a point, on the volume of a body, or on its nodes (random, for solver studies; or given by
 /// another program).
 ///
-/// Force, Moment and PointForce depend on the mesh: resolveLoads() converts the first two to tractions and finds the node of the third.
+/// Force, Moment, PointForce and ReferenceForce depend on the mesh: resolveLoads() converts the first two to tractions, finds the node of
+/// the third, and converts the last to NodalForces.
 struct Load {
   enum class Kind {
     Traction,
@@ -33,7 +34,8 @@ struct Load {
     Temperature,
     InitialStrain,
     InitialStress,
-    NodalForces
+    NodalForces,
+    ReferenceForce
   };
   Kind kind = Kind::Traction;
   std::string body;  ///< body of a load on bodies or at a point; "": all bodies
@@ -62,9 +64,11 @@ struct Load {
   bool isLocal = false;  ///< an InitialStrain acts only where its distance from `place` along the axis is at most length / 2
   /// InitialStrain and InitialStress [stress], instead of value, in the order of StressVector.hpp; the last two are unused in 2D
   std::array<double, 6> tensor{};
-  /// NodalForces: forces on nodes of the mesh, on every rank those of all ranks [force]. Boundary conditions of scene files do not have
-  /// this kind: another program sets and changes the forces (Simulation::coupling()).
+  /// NodalForces: forces on nodes of the mesh, on every rank those of all ranks [force]: set and changed by another program
+  /// (Simulation::coupling()), or made of a ReferenceForce.
   std::map<GlobalId, Point> forces{};
+  Point torque{0, 0, 0};     ///< moment of a ReferenceForce about its place, besides the force `value` [force x length]
+  bool atReference = false;  ///< NodalForces were made of a ReferenceForce
 
   /// Gives a controlled load a known amount: a force along its axis [force], or a shortening [length].
   void setAmount(double amount);

@@ -129,6 +129,23 @@ void readControlled(const Parameters& condition, ElasticModel& model, const Cons
   }
 }
 
+/// Adds the Force and the Moment of a Rigid Group.
+void readReferenceForce(const Parameters& condition, ElasticModel& model, Problems& problems) {
+  if (textIn(condition, "Type") != "Rigid Group" || (!condition.isParameter("Force") && !condition.isParameter("Moment"))) return;
+  Load load;
+  load.kind = Kind::ReferenceForce;
+  load.path = pathOf(condition);
+  load.name = load.path.substr(load.path.rfind('/') + 1);
+  load.groups = groupNames(condition, "Group");
+  load.place = pointIn(condition, "Point");
+  load.value = pointIn(condition, "Force");
+  load.torque = pointIn(condition, "Moment");
+  if (model.dimension == 2) load.torque = {0, 0, load.torque[0]};
+  if (model.axisymmetric && load.value[0] != 0.0)
+    problems.add(pathOf(condition, "Force"), "a radial force has no resultant around the circle; expected {0, force along the axis}");
+  model.loads.push_back(load);
+}
+
 /// Materials of a load's bodies and of their regions.
 std::set<const Material*> materialsUnder(const Load& load, const ElasticModel& model) {
   std::set<const Material*> all;
@@ -249,6 +266,7 @@ void readLoads(const Parameters& scene, const Constants& constants, ElasticModel
       model.supports.push_back({groupNames(condition, "Group"), numberIn(condition, "Normal Stiffness", 0.0),
                                 numberIn(condition, "Tangential Stiffness", 0.0), name});
     readControlled(condition, model, constants, problems);
+    readReferenceForce(condition, model, problems);
     for (const auto& [kind, type] : types()) {
       if (formOf(type).name != textIn(condition, "Type")) continue;
       const std::size_t before = problems.list().size();

@@ -1,6 +1,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
+#include <suture/base/RigidValues.hpp>
 #include <suture/elasticity/SideMap.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
 #include <suture/mesh/NodeAtPoint.hpp>
@@ -10,10 +11,13 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 
 namespace suture {
 
 namespace {
+
+constexpr double kCarried = 1e-8;  // relative part of a resultant that nodes on a line cannot carry, above round-off
 
 /// The meshes of a scene, on any number of ranks.
 struct Pieces {
@@ -73,6 +77,58 @@ void makeLinearTraction(const Pieces& pieces, Load& load) {
   std::copy(spin.begin(), spin.end(), load.spin.begin());
 }
 
+/// Nodes of a load's groups, each once, by number.
+std::map<GlobalId, Point> nodesOfGroups(const Pieces& pieces, const Load& load) {
+  std::vector<NearNode> mine;
+  for (const Pieces::Piece& piece : pieces.pieces)
+    for (const Side& side : sidesOf(*piece.groups, load.groups))
+      for (const int node : piece.block->nodesOf(side)) mine.push_back({0.0, piece.numberOf(node), piece.bodyOf(node), piece.block->point(node)});
+  std::map<GlobalId, Point> all;
+  for (const NearNode& one : pieces.join(mine)) all.emplace(one.node, one.place);
+  return all;
+}
+
+void makeNodalForces(const Pieces& pieces, const ElasticModel& model, Load& load, Problems& problems) {
+  const std::map<GlobalId, Point> nodes = nodesOfGroups(pieces, load);
+  Point centre{0, 0, 0};
+  for (const auto& entry : nodes) centre = plus(centre, scaled(1.0 / static_cast<double>(nodes.size()), entry.second));
+  double radius = 0.0;
+  for (const auto& entry : nodes) radius = std::max(radius, norm(minus(entry.second, centre)));
+  if (radius == 0.0) radius = 1.0;
+  const int motions = rigidMotions(model.dimension);
+  const auto motionsAt = [&](const Point& place) {  // dimension x motions
+    Matrix all(model.dimension, motions);
+    for (int k = 0; k < model.dimension; ++k) {
+      Point direction{0, 0, 0};
+      direction[std::size_t(k)] = 1.0;
+      const std::array<double, 6> values = rigidValues(model.dimension, scaled(1.0 / radius, minus(place, centre)), direction);
+      all.row(k) = Eigen::Map<const Vector>(values.data(), motions).transpose();
+    }
+    if (model.axisymmetric) all.col(0).setZero(), all.col(2).setZero();
+    return all;
+  };
+  Matrix sums = Matrix::Zero(motions, motions);
+  for (const auto& entry : nodes) {
+    const Matrix own = motionsAt(entry.second);
+    sums += own.transpose() * own;
+  }
+  const Point moment = plus(load.torque, cross(minus(load.place, centre), load.value));
+  Vector work = Vector::Zero(motions);  // in the motions
+  for (int k = 0; k < model.dimension; ++k) work[k] = load.value[std::size_t(k)];
+  for (int k = model.dimension; k < motions; ++k) work[k] = moment[std::size_t(model.dimension == 2 ? 2 : k - 3)] / radius;
+  if (model.axisymmetric) work[0] = work[2] = 0.0;
+  const Vector spread = leastSquares(sums, work);
+  if ((sums * spread - work).norm() > kCarried * work.norm())
+    problems.add(load.path + "/Moment", "acts about the line on which all nodes of the group lie; choose a group that resists it");
+  load.kind = Load::Kind::NodalForces;
+  load.atReference = true;
+  for (const auto& [node, place] : nodes) {
+    const Vector force = motionsAt(place) * spread;
+    Point& given = load.forces[node];
+    for (int k = 0; k < model.dimension; ++k) given[std::size_t(k)] = force[k];
+  }
+}
+
 double extentOf(const Pieces& pieces) {
   const double none = -std::numeric_limits<double>::infinity();
   double box[6] = {none, none, none, none, none, none};  // largest coordinates, and negated smallest ones
@@ -109,6 +165,7 @@ void resolve(const Pieces& pieces, ElasticModel& model) {
   for (Load& load : model.loads) {
     if (load.kind == Load::Kind::Force) makeTraction(pieces, load);
     if (load.kind == Load::Kind::Moment) makeLinearTraction(pieces, load);
+    if (load.kind == Load::Kind::ReferenceForce) makeNodalForces(pieces, model, load, problems);
     if (load.kind == Load::Kind::PointForce) findNode(pieces, model, load, problems);
   }
   problems.throwIfAny();

@@ -1,0 +1,233 @@
+#include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/RigidValues.hpp>
+#include <suture/constraints/BuildRigidGroups.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+constexpr double kAgrees = 1e-9;       // relative difference of prescribed values that count as equal, as in NodalRules
+constexpr double kIndependent = 1e-8;  // least ratio of pivots of motions that the nodes determine: nodes on a line do not turn about it
+
+Point axis(int k) {
+  Point direction{0, 0, 0};
+  direction[static_cast<std::size_t>(k)] = 1.0;
+  return direction;
+}
+
+/// One group while it is built. Its motion is given by amplitudes about the centre of its nodes, all of them lengths (as in RigidPart).
+class Builder {
+ public:
+  Builder(const Mesh& mesh, const std::vector<Condition>& conditions, int number, std::vector<int> nodes)
+      : mesh_(mesh), condition_(conditions[static_cast<std::size_t>(number)]), dimension_(mesh.dimension) {
+    group_.condition = number;
+    group_.nodes = std::move(nodes);
+    const double share = 1.0 / static_cast<double>(group_.nodes.size());
+    for (const int node : group_.nodes) centre_ = plus(centre_, scaled(share, mesh.point(node)));
+    for (const int node : group_.nodes) radius_ = std::max(radius_, norm(minus(mesh.point(node), centre_)));
+    if (radius_ == 0.0) radius_ = 1.0;
+  }
+
+  /// The group, with the rules and prescribed values of its nodes. \param factors  number of factors; 0: none
+  RigidGroup build(int factors, Constraints& constraints, Problems& problems) {
+    const Eigen::Index columns = std::max(factors, 1);
+    collect(constraints, columns);
+    Matrix given(columns, Eigen::Index(rows_.size())), held(Eigen::Index(rows_.size()), rigidMotions(dimension_));
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      held.row(Eigen::Index(r)) = rows_[r].motion.transpose();
+      given.col(Eigen::Index(r)) = rows_[r].values;
+    }
+    Matrix motion(held.cols(), columns);  // that meets all rows, by factor
+    for (Eigen::Index f = 0; f < columns; ++f)
+      motion.col(f) = held.rows() > 0 ? leastSquares(held, given.row(f).transpose()) : Vector::Zero(held.cols());
+    compare(held, given, motion, problems);
+    chooseMasters(nullSpace(held));
+    setRules(motion, factors, constraints);
+    return std::move(group_);
+  }
+
+ private:
+  struct Row {
+    Vector motion, values;  // by amplitude; by factor
+    int node;               // -1: of the condition itself, or of the axis of symmetry
+  };
+
+  Vector rowOf(const Point& place, const Point& direction) const {
+    const std::array<double, 6> values = rigidValues(dimension_, scaled(1.0 / radius_, minus(place, centre_)), direction);
+    return Eigen::Map<const Vector>(values.data(), rigidMotions(dimension_));
+  }
+
+  /// Everything that restricts the motion.
+  void collect(const Constraints& constraints, Eigen::Index columns) {
+    const auto add = [&](const Vector& motion, double value, int factor, int node) {
+      rows_.push_back({motion, Vector::Zero(columns), node});
+      rows_.back().values[columns > 1 ? factor : 0] = value;
+    };
+    const int amplitudes = rigidMotions(dimension_);
+    if (mesh_.axisymmetric)
+      for (const int k : {0, 2}) add(Vector::Unit(amplitudes, k), 0.0, 0, -1);
+    for (int k = 0; k < 6; ++k) {
+      const std::optional<double>& value = condition_.motions[static_cast<std::size_t>(k)];
+      if (!value) continue;
+      if (k < 3)
+        add(rowOf(*condition_.point, axis(k)), *value, condition_.factor, -1);
+      else
+        add(Vector::Unit(amplitudes, dimension_ == 2 ? 2 : k), *value * radius_, condition_.factor, -1);
+    }
+    for (const NodeRule& rule : constraints.rules) {
+      if (!std::binary_search(group_.nodes.begin(), group_.nodes.end(), rule.node)) continue;
+      for (int k = 0; k < dimension_; ++k) {
+        if (!rule.fixed[k]) continue;
+        add(rowOf(mesh_.point(rule.node), rule.axes[k]), rule.value[k], 0, rule.node);
+        if (columns == 1) continue;
+        rows_.back().values.setZero();
+        for (Eigen::Index f = 0; f < columns; ++f)
+          for (const RuleValue& part : constraints.prescribed[static_cast<std::size_t>(f)])
+            if (part.node == rule.node) rows_.back().values[f] = part.value[k];
+      }
+    }
+  }
+
+  void compare(const Matrix& held, const Matrix& given, const Matrix& motion, Problems& problems) const {
+    if (held.rows() == 0) return;
+    const double scale = given.cwiseAbs().maxCoeff();
+    const Matrix apart = (held * motion - given.transpose()).cwiseAbs();
+    Eigen::Index row = 0, factor = 0;
+    if (apart.maxCoeff(&row, &factor) <= kAgrees * scale) return;
+    std::ostringstream text;
+    const int node = rows_[static_cast<std::size_t>(row)].node;
+    text << "other conditions on its nodes would deform it";
+    if (node >= 0) text << ", for instance at " << placeText(mesh_.point(node), dimension_);
+    text << "; a rigid group can only move as a whole. Prescribe its motions here, or choose a group without these nodes";
+    problems.add(condition_.path, text.str());
+  }
+
+  /// \param free  amplitudes x free motions
+  void chooseMasters(const Matrix& free) {
+    const auto count = static_cast<Eigen::Index>(group_.nodes.size()) * dimension_;
+    nodal_ = Matrix(count, rigidMotions(dimension_));
+    for (std::size_t i = 0; i < group_.nodes.size(); ++i)
+      for (int k = 0; k < dimension_; ++k)
+        nodal_.row(Eigen::Index(i) * dimension_ + k) = rowOf(mesh_.point(group_.nodes[i]), axis(k)).transpose();
+    Matrix moved = nodal_ * free;
+    if (moved.cols() > 0) moved = orthonormalBasis(moved, kIndependent);  // without motions that move no node
+    follow_ = Matrix(count, 0);
+    if (moved.cols() == 0) return;
+    const std::vector<int> pivots = pivotRows(moved);
+    Matrix own(moved.cols(), moved.cols());
+    for (Eigen::Index m = 0; m < own.rows(); ++m) {
+      masters_.push_back(pivots[static_cast<std::size_t>(m)]);
+      own.row(m) = moved.row(masters_.back());
+      group_.masterNodes.push_back(group_.nodes[static_cast<std::size_t>(masters_.back() / dimension_)]);
+      group_.masterComponents.push_back(masters_.back() % dimension_);
+    }
+    double condition = 0.0;
+    follow_ = moved * generalInverse(own, condition);
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index m = 0; m < follow_.cols(); ++m)
+        if (std::abs(follow_(i, m)) < 1e-14) follow_(i, m) = 0.0;  // round-off of components that do not move
+    for (std::size_t m = 0; m < masters_.size(); ++m) follow_.row(masters_[m]) = Vector::Unit(follow_.cols(), Eigen::Index(m)).transpose();
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index m = 0; m < follow_.cols(); ++m) group_.coefficients.push_back(follow_(i, m));
+  }
+
+  void setRules(const Matrix& motion, int factors, Constraints& constraints) const {
+    const Matrix whole = nodal_ * motion;
+    Matrix value = whole;
+    for (std::size_t m = 0; m < masters_.size(); ++m) value -= follow_.col(Eigen::Index(m)) * whole.row(masters_[m]);
+    const auto isMember = [&](const auto& one) { return std::binary_search(group_.nodes.begin(), group_.nodes.end(), one.node); };
+    const auto remove = [&](auto& list) { list.erase(std::remove_if(list.begin(), list.end(), isMember), list.end()); };
+    const auto sort = [](auto& list) {
+      std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+    };
+    remove(constraints.rules), remove(constraints.supports);
+    for (std::vector<RuleValue>& values : constraints.prescribed) remove(values);
+    for (std::size_t i = 0; i < group_.nodes.size(); ++i) {
+      NodeRule rule;
+      rule.node = group_.nodes[i];
+      for (int k = 0; k < dimension_; ++k) {
+        const auto row = static_cast<int>(i) * dimension_ + k;
+        const bool isMaster = std::find(masters_.begin(), masters_.end(), row) != masters_.end();
+        rule.fixed[k] = !isMaster;
+        if (!isMaster) rule.value[k] = value.row(row).sum() + 0.0;
+        constraints.supports.push_back({rule.node, group_.condition, axis(k), axis(k), false});
+      }
+      constraints.rules.push_back(rule);
+      for (int f = 0; f < factors; ++f) {
+        RuleValue part{rule.node, {0, 0, 0}};
+        for (int k = 0; k < dimension_; ++k)
+          if (rule.fixed[k]) part.value[k] = value(Eigen::Index(i) * dimension_ + k, f) + 0.0;
+        if (part.value != Point{0, 0, 0}) constraints.prescribed[static_cast<std::size_t>(f)].push_back(part);
+      }
+    }
+    sort(constraints.rules), sort(constraints.supports);
+    for (std::vector<RuleValue>& values : constraints.prescribed) sort(values);
+  }
+
+  const Mesh& mesh_;
+  const Condition& condition_;
+  int dimension_;
+  RigidGroup group_;
+  Point centre_{0, 0, 0};
+  double radius_ = 0.0;
+  std::vector<Row> rows_;
+  std::vector<int> masters_;  // rows of nodal_
+  Matrix nodal_, follow_;     // components of the nodes x amplitudes, x masters
+};
+
+std::vector<int> nodesOf(const Mesh& mesh, const Condition& condition) {
+  std::set<int> nodes;
+  for (const Side& side : sidesOf(mesh.sideGroups, condition.groups))
+    for (const int node : mesh.nodesOf(side)) nodes.insert(node);
+  return {nodes.begin(), nodes.end()};
+}
+
+}  // namespace
+
+void buildRigidGroups(const Mesh& mesh, const std::vector<Condition>& conditions, Constraints& constraints, Problems& problems) {
+  std::set<int> taken;
+  int factors = static_cast<int>(constraints.prescribed.size());
+  for (const Condition& condition : conditions)
+    if (condition.type == Condition::Type::RigidGroup && condition.factor > 0) factors = std::max(factors, condition.factor + 1);
+  constraints.prescribed.resize(static_cast<std::size_t>(factors));
+  if (factors > 0 && constraints.prescribed.front().empty()) {
+    // without factors so far: all values belong to the constant one
+    bool any = false;
+    for (const auto& values : constraints.prescribed) any = any || !values.empty();
+    for (const NodeRule& rule : constraints.rules)
+      if (!any && rule.value != Point{0, 0, 0}) constraints.prescribed.front().push_back({rule.node, rule.value});
+  }
+  for (std::size_t number = 0; number < conditions.size(); ++number) {
+    const Condition& condition = conditions[number];
+    if (condition.type != Condition::Type::RigidGroup) continue;
+    const std::vector<int> nodes = nodesOf(mesh, condition);
+    if (nodes.empty()) continue;
+    const std::size_t before = problems.list().size();
+    const int body = mesh.bodyOfNode[static_cast<std::size_t>(nodes.front())];
+    for (const int node : nodes) {
+      const std::string place = placeText(mesh.point(node), mesh.dimension);
+      if (mesh.bodyOfNode[static_cast<std::size_t>(node)] != body) {
+        problems.add(condition.path + "/Group",
+                     "has nodes of the bodies '" + mesh.bodies[static_cast<std::size_t>(body)] + "' and '" +
+                         mesh.bodies[static_cast<std::size_t>(mesh.bodyOfNode[static_cast<std::size_t>(node)])] +
+                         "'; a rigid group belongs to one body. Give each body its own, or tie the bodies by a contact");
+        break;
+      }
+      if (!taken.insert(node).second) {
+        problems.add(condition.path + "/Group", "shares a node at " + place + " with another Rigid Group; make one group of both");
+        break;
+      }
+    }
+    if (problems.list().size() > before) continue;
+    constraints.rigidGroups.push_back(
+        Builder(mesh, conditions, static_cast<int>(number), nodes).build(factors, constraints, problems));
+  }
+}
+
+}  // namespace suture
