@@ -5,7 +5,6 @@
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
 #include <suture/constraints/UnmodelledRim.hpp>
-#include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideGeometry.hpp>
 #include <suture/pairs/ContactPairs.hpp>
 #include <suture/pairs/ContactPieces.hpp>
@@ -110,25 +109,6 @@ std::vector<SpringDirection> springsOf(const Mesh& mesh, const std::vector<Condi
   return springs;
 }
 
-// The rows of a pair are unknowns of its nodes, which the nodes of a moving rigid group do not have.
-void checkRigidGroups(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<ContactSurface>& contacts,
-                      const Constraints& constraints, Problems& problems) {
-  const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
-  if (rigid.empty()) return;
-  std::set<std::pair<int, int>> told;
-  for (const ContactPair& pair : constraints.pairs)
-    for (const PairEnd& end : pair.ends) {
-      if (!rigid.moves(end.node)) continue;
-      for (const RigidGroup& group : constraints.rigidGroups)
-        if (std::binary_search(group.nodes.begin(), group.nodes.end(), end.node) && told.insert({group.condition, pair.line}).second)
-          problems.add(conditions[static_cast<std::size_t>(group.condition)].path + "/Group",
-                       "touches " + contacts[static_cast<std::size_t>(pair.line)].path + " at " +
-                           placeText(mesh.point(end.node), mesh.dimension) +
-                           ": a rigid group with free motions has no node in contact. Choose a group away from the contact, or a rigid "
-                           "obstacle for the other side");
-    }
-}
-
 // Reports bodies that no condition and no contact holds.
 void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
   std::vector<char> held(mesh.bodies.size(), 0);
@@ -170,9 +150,6 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
       constraints.pairs.push_back(pair);
     }
   }
-  problems.throwIfAny();
-
-  checkRigidGroups(mesh, conditions, contacts, constraints, problems);
   problems.throwIfAny();
 
   constraints.pieces = findPieces(mesh, contacts, paired, constraints.pairs);

@@ -42,7 +42,13 @@ Delassus::Delassus(const CondensedContact& problem)
     const int first = problem_.blocks[block], size = problem_.blocks[block + 1] - first;
     // A loose block gets the mean stiffness of its dofs on its kernel, which makes it definite without new scales.
     Matrix s = problem_.stiffness.block(first, first, size, size);
-    const double own = size > 0 ? s.diagonal().mean() : 0.0;
+    double own = size > 0 ? s.diagonal().mean() : 0.0;
+    int modes = 0;
+    for (int m = 0; m < modes_; ++m) modes += !z.col(m).segment(first, size).isZero(0.0);
+    if (size > 0 && modes == size && problem_.diagonal.size() > 0) {  // a body in contact by a rigid group only: s is mere round-off
+      s.setZero();
+      own = problem_.diagonal.segment(first, size).mean();
+    }
     for (int m = 0; m < modes_; ++m) {
       const auto part = z.col(m).segment(first, size);
       if (part.isZero(0.0)) continue;

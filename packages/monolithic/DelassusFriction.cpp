@@ -28,11 +28,14 @@ DelassusFriction::DelassusFriction(const CondensedContact& problem, const Delass
   const double largest = rows > 0 ? h.diagonal().maxCoeff() : 0.0, least = largest > 0.0 ? kGivesWay * largest : 1.0;
   local_ = Vector::Constant(rows, least);
   for (int i = 0; i < rows; ++i) {
+    if (problem.nodal.size() > 0) {
+      if (problem.nodal(i) > 0.0) local_(i) = kOwnElements * problem.nodal(i);
+      continue;
+    }
     double own = 0.0;
     for (std::size_t k = 0; k < problem.dofs[i].size(); ++k)
       own += problem.coefficients[i][k] * problem.coefficients[i][k] / problem.stiffness(problem.dofs[i][k], problem.dofs[i][k]);
     if (own > 0.0) local_(i) = std::min(h(i, i), kOwnElements * own);
-    if (own > 0.0 && problem.nodal.size() > 0) local_(i) = kOwnElements * problem.nodal(i);
   }
 
   std::vector<std::shared_ptr<const ContactLaw>> laws;

@@ -103,8 +103,9 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
       bound -= system.rows()[i].coefficients[k] * rest.x[leading + system.rows()[i].dofs[k]];
     contact.lines.push_back(constraints.pairs[system.rows()[i].pair].line);
   }
+  contact.diagonal = system.stiffness().diagonal().tail(trailing);
   if (!lawsDecide(constraints, mesh.dimension)) return contact;
-  const Vector diagonal = system.stiffness().diagonal().tail(trailing);
+  const Vector& diagonal = contact.diagonal;
   contact.nodal = Vector::Zero(contact.bounds.size());
   for (std::size_t i = 0; i < contact.dofs.size(); ++i)
     for (std::size_t k = 0; k < contact.dofs[i].size(); ++k)

@@ -55,17 +55,28 @@ void MonolithicSystem::number() {
   rows_.reserve(constraints_.pairs.size());
   const auto addRow = [&](const ContactPair& pair, int place, int along, const Point& towards) {
     const int row = int(rows_.size());
+    const auto first = std::ptrdiff_t(entries.size());
     rows_.push_back({{}, {}, along == 0 ? pair.gap : dot(pair.past.slip, towards), place, along});
     for (const auto& [node, weight] : pair.ends) {
       const Vector direction = inAxes(ruleAt(node), towards, dimension);
       for (int k = 0; k < dimension; ++k) {
         const int c = component(node, k);
-        if (fixed[c]) {
-          rows_[row].bound -= weight * direction[k] * prescribed_[c];
-        } else if (std::abs(direction[k]) > negligible) {
-          inContact[c] = 1;
-          entries.push_back({row, c, weight * direction[k]});
-        }
+        if (fixed[c]) rows_[row].bound -= weight * direction[k] * prescribed_[c];
+        if (std::abs(direction[k]) <= negligible) continue;
+        const auto add = [&](int unknown, double coefficient) {
+          const auto same = std::find_if(entries.begin() + first, entries.end(), [&](const Entry& one) { return one.component == unknown; });
+          inContact[unknown] = 1;
+          if (same != entries.end())
+            same->coefficient += coefficient;
+          else
+            entries.push_back({row, unknown, coefficient});
+        };
+        if (!fixed[c])
+          add(c, weight * direction[k]);
+        else
+          rigid_.forEachMaster(node, k, [&](int master, int of, double coefficient) {
+            add(component(master, of), weight * direction[k] * coefficient);
+          });
       }
     }
   };

@@ -1,5 +1,6 @@
 #include <suture/constraints/ContactRows.hpp>
 #include <suture/partition/Attachments.hpp>
+#include <suture/partition/PairHolders.hpp>
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ struct SharedRows {
   std::vector<std::vector<int>> pairs;    ///< by subdomain, ascending
 };
 
-SharedRows shareRows(const std::vector<ContactRow>& rows, const NodeSubdomains& holdersOfNodes, int subdomains) {
+SharedRows shareRows(const std::vector<ContactRow>& rows, const PairHolders& holdersOfNodes, int subdomains) {
   SharedRows shared{std::vector<std::vector<int>>(rows.size()), std::vector<std::vector<int>>(subdomains)};
   std::vector<std::vector<int>> members(rows.size());
   for (std::size_t p = 0; p < rows.size(); ++p) {
@@ -49,13 +50,6 @@ std::vector<int> holdersOf(const std::vector<int>& cell, const std::vector<Conta
 
 }  // namespace
 
-std::vector<int> nodesInContact(const Constraints& constraints) {
-  std::vector<int> nodes;
-  for (const ContactPair& pair : constraints.pairs)
-    for (const PairEnd& end : pair.ends) nodes.push_back(end.node);
-  return nodes;
-}
-
 std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MeshShare& share,
                                        int ranks, const NodeSubdomains& contactHolders) {
   std::vector<Attachments> all(ranks);
@@ -75,7 +69,7 @@ std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& cons
     }
 
   const std::vector<ContactRow> rows = contactRows(mesh, constraints);
-  const SharedRows shared = shareRows(rows, contactHolders, partition.subdomains());
+  const SharedRows shared = shareRows(rows, PairHolders(constraints, contactHolders), partition.subdomains());
   std::vector<std::map<int, int>> placeOf(ranks);  // pair -> index in the rank's rows
   for (int s = 0; s < partition.subdomains(); ++s) {
     if (shared.pairs[s].empty()) continue;

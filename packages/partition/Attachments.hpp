@@ -32,11 +32,8 @@ struct Attachments {
 
 /// Attachments of each rank. Local (rank 0).
 /// \param share           of rank 0, which knows the rank of each body
-/// \param contactHolders  subdomains of the nodes of all pairs
+/// \param contactHolders  subdomains of nodesInContact()
 std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MeshShare& share,
                                        int ranks, const NodeSubdomains& contactHolders);
-
-/// All nodes of pairs, some repeatedly. Local.
-std::vector<int> nodesInContact(const Constraints& constraints);
 
 }  // namespace suture

@@ -5,6 +5,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/partition/Cutter.hpp>
 #include <suture/partition/SubdomainBytes.hpp>
+#include <suture/partition/PairHolders.hpp>
 
 namespace suture {
 namespace {

@@ -12,6 +12,7 @@
 #include <suture/partition/cut/Costs.hpp>
 #include <suture/partition/cut/Cut.hpp>
 #include <suture/partition/cut/Placement.hpp>
+#include <suture/partition/PairHolders.hpp>
 
 namespace suture {
 

@@ -136,7 +136,8 @@ NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchan
       addContact(mesh, pairs, own, all.balance);
     }
   });
-  if (hasRigidGroups(comm, answer.meshes)) {
+  all.hasRigidGroups = hasRigidGroups(comm, answer.meshes);
+  if (all.hasRigidGroups) {
     for (std::size_t i = 0; i < answer.meshes.size(); ++i) all.masters.push_back(sumsAtMasters(answer.meshes[i], all.nodes[i]));
     seams.sum(all.masters);
   }

@@ -32,6 +32,7 @@ struct MasterRows {
 struct NodalForces {
   std::vector<Matrix> nodes;    ///< by mesh: NodalRows x nodes, summed over subdomains
   std::vector<Matrix> masters;  ///< by mesh: MasterRows x nodes, summed over subdomains, zero except at masters; empty: no rigid groups
+  bool hasRigidGroups = false;  ///< on any rank
   /// Forces of rigid obstacles (on the rank that counts a pair), elastic supports, and initial states, which are not loads.
   Balance balance;
   Reactions reactions;  ///< sums over this rank

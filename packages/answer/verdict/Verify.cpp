@@ -32,7 +32,8 @@ class Verifier {
   Verification run();
 
  private:
-  void gatherEnds();
+  std::vector<std::vector<double>> cellsAlongContact(const SeamExchange& seams, bool hasRigidGroups) const;
+  void gatherEnds(const std::vector<std::vector<double>>& cells);
   void sumBodies();
   void judgeBodies();
   void judgeNodes();
@@ -93,13 +94,31 @@ Verifier::Verifier(const Comm& comm, const Answer& answer)
   axisymmetric_ = all[1] > 0;
 }
 
-void Verifier::gatherEnds() {
+/// Sizes of the cells at the nodes of each mesh. The subdomain that counts a master may have no element there: the others tell it.
+std::vector<std::vector<double>> Verifier::cellsAlongContact(const SeamExchange& seams, bool hasRigidGroups) const {
+  std::vector<std::vector<double>> all;
+  for (const SubdomainMesh& mesh : answer_.meshes) all.push_back(edgesAlongContact(mesh));
+  if (!hasRigidGroups) return all;
+  std::vector<Matrix> sums;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Matrix& own = sums.emplace_back(Matrix::Zero(2, answer_.meshes[i].nodes()));
+    for (std::size_t node = 0; node < all[i].size(); ++node)
+      if (all[i][node] > 0.0) own.col(Eigen::Index(node)) << all[i][node], 1.0;
+  }
+  seams.sum(sums);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t node = 0; node < all[i].size(); ++node)
+      if (const double count = sums[i](1, Eigen::Index(node)); count > 0.0) all[i][node] = sums[i](0, Eigen::Index(node)) / count;
+  return all;
+}
+
+void Verifier::gatherEnds(const std::vector<std::vector<double>>& cells) {
   std::vector<PairEndShare> mine;
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
     const SubdomainMesh& mesh = answer_.meshes[i];
     std::map<int, const ContactRow*> rows;
     for (const ContactRow& row : mesh.contactRows) rows[row.pair.id] = &row;
-    const std::vector<double> edges = edgesAlongContact(mesh);
+    const std::vector<double>& edges = cells[i];
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
       const ContactRow& row = *rows.at(end.pair);
@@ -339,7 +358,7 @@ Verification Verifier::run() {
   masters_ = std::move(forces.masters);
   balance_ = forces.balance;
   reactions_ = std::move(forces.reactions);
-  gatherEnds();
+  gatherEnds(cellsAlongContact(seams, forces.hasRigidGroups));
   sumBodies();
   judgeBodies();
   judgeNodes();

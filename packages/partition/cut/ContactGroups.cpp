@@ -1,15 +1,17 @@
 #include <suture/algebra/DisjointSets.hpp>
+#include <suture/partition/PairHolders.hpp>
 #include <suture/partition/cut/ContactGroups.hpp>
 
 namespace suture {
 
 ContactGroups contactGroups(const Constraints& constraints, const NodeSubdomains& holders, int subdomains) {
   const int pieces = static_cast<int>(constraints.pieces.size());
+  const PairHolders ofPairs(constraints, holders);
   DisjointSets sets(subdomains + pieces);
   for (int piece = 0; piece < pieces; ++piece)
     for (int id : constraints.pieces[piece].pairs)
       for (const PairEnd& end : constraints.pairs[id].ends)
-        for (int s : holders.of(end.node)) sets.join(subdomains + piece, s);
+        for (int s : ofPairs.of(end.node)) sets.join(subdomains + piece, s);
 
   ContactGroups all;
   all.groupOf.assign(subdomains, -1);
