@@ -2,6 +2,7 @@
 #include <suture/answer/OuterFigures.hpp>
 #include <suture/answer/PairResult.hpp>
 #include <suture/answer/values/Extremes.hpp>
+#include <suture/answer/values/RigidGroupMotions.hpp>
 #include <suture/answer/values/SafetyFactors.hpp>
 #include <suture/answer/verdict/Verification.hpp>
 #include <suture/base/Types.hpp>
@@ -43,6 +44,7 @@ struct Solution : OuterFigures {
   std::vector<Vector> displacement;
   /// Displacements since the time of `Output/Displacements Since`, likewise; empty up to that time.
   std::vector<Vector> since{};
+  std::vector<RigidGroupMotion> rigidGroups{};
   std::optional<double> sinceTime{};  ///< that time, if `since` is known; the same on all ranks
   std::optional<double> meshError;  ///< averagedEstimate(): relative discretisation error in the energy norm, if no better estimate exists
   std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of this rank's subdomains that have their own physics, by place

@@ -27,6 +27,7 @@ class Builder {
   Builder(const Mesh& mesh, const std::vector<Condition>& conditions, int number, std::vector<int> nodes)
       : mesh_(mesh), condition_(conditions[static_cast<std::size_t>(number)]), dimension_(mesh.dimension) {
     group_.condition = number;
+    group_.point = *condition_.point;
     group_.nodes = std::move(nodes);
     const double share = 1.0 / static_cast<double>(group_.nodes.size());
     for (const int node : group_.nodes) centre_ = plus(centre_, scaled(share, mesh.point(node)));

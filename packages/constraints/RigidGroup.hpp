@@ -11,6 +11,7 @@ namespace suture {
 /// linear combination of the masters. All nodes have a rule with Cartesian axes, which fixes all components except masters.
 struct RigidGroup {
   int condition = -1;                 ///< index in Constraints::conditions
+  Point point{0, 0, 0};               ///< reference point
   std::vector<int> nodes;             ///< ascending
   std::vector<int> masterNodes;       ///< node of each master
   std::vector<int> masterComponents;  ///< component of each master
@@ -24,7 +25,7 @@ struct RigidGroup {
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.condition), each(self.nodes), each(self.masterNodes), each(self.masterComponents), each(self.coefficients);
+    each(self.condition), each(self.point), each(self.nodes), each(self.masterNodes), each(self.masterComponents), each(self.coefficients);
   }
 };
 

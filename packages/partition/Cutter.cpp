@@ -88,6 +88,7 @@ void Cutter::sortRigidGroups() {
     for (const auto& [s, places] : placesOf) {
       RigidGroup& part = rigidGroups_[static_cast<std::size_t>(s)].emplace_back();
       part.condition = group.condition;
+      part.point = group.point;
       part.masterComponents = group.masterComponents;
       for (const int master : group.masterNodes) part.masterNodes.push_back(share_.localNode(master));
       for (const std::size_t place : places) {

@@ -226,6 +226,7 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
         {"versions", versions},
         {"parameters", toJson(parameters)},
     };
+    if (!answer.rigidGroups.empty()) summary["rigid_groups"] = rigidGroupsJson(run, dimension);
     if (!answer.safety.ofBodies.empty()) summary["safety"] = safetyJson(run, dimension);
     if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
     // Text that is not UTF-8 (a title in Latin-1) must not make the results unwritable.

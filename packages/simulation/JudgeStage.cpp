@@ -97,6 +97,7 @@ void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, con
   const SearchedFields fields{meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses};
   solution.extremes = findExtremes(comm, fields);
   solution.safety = findSafety(comm, fields);
+  solution.rigidGroups = rigidGroupMotions(comm, meshes, solution.displacement);
   if (solution.sinceTime) solution.extremes.displacementSince = largestVector(comm, meshes, solution.since);
 }
 

@@ -114,6 +114,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   least.body = least.id = 0;
   sample.solution_.safety.ofBodies = {least};
   sample.solution_.sinceTime = 1.0;
+  sample.solution_.rigidGroups = {{0, {1, 2, 0}, {0.1, 0, 0}, {0, 0, 0.2}}};
   sample.solution_.since.assign(sample.solution_.displacement.size(), Vector());
   sample.solution_.extremes.displacementSince = sample.solution_.extremes.displacement;
   if (!sample.solution_.pairs.empty()) sample.solution_.pairs.front().bodies = {1, 0};  // the contact joins two pairs of bodies

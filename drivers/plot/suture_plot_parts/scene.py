@@ -79,6 +79,10 @@ class Drawing:
             centre = points.mean(axis=0)
             self.signs.turn(centre, not condition.value or condition.value[0] > 0, LOAD)
             return [centre + s * np.array([0.7, 0.7])]
+        if condition.type == "Rigid Group" and condition.support and condition.motions:
+            foot = points + self.row(condition.groups, 0.9) * outward
+            self.signs.hatches(foot, outward, SUPPORT)
+            return foot + 0.6 * s * outward
         if direction is None or not direction.any():
             return points
         # Arrows that press end on the side; arrows that pull start on it.

@@ -13,7 +13,7 @@ OPERATORS = {ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult:
 COMPARISONS = {ast.Lt: lambda a, b: a < b, ast.LtE: lambda a, b: a <= b, ast.Gt: lambda a, b: a > b, ast.GtE: lambda a, b: a >= b,
                ast.Eq: lambda a, b: a == b, ast.NotEq: lambda a, b: a != b}
 SCALED = ("Displacement", "Mean Displacement", "Traction", "Pressure", "Force", "Point Force", "Moment", "Body Force", "Gravity", "Rotation", "Preload",
-          "Temperature", "Initial Stress", "Initial Strain")
+          "Temperature", "Initial Stress", "Initial Strain", "Rigid Group")
 
 
 def time_shown(run):

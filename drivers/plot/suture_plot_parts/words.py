@@ -13,6 +13,7 @@ MODELS = {
 }
 # Types of conditions that are supports; all others are loads.
 SUPPORTS = ("Displacement", "Bilateral", "Elastic Support", "Mean Displacement")
+MOTIONS = ("Motion x", "Motion y", "Motion z", "Rotation x", "Rotation y", "Rotation z")  # that a Rigid Group may prescribe
 PARTIAL = ("Displacement", "Mean Displacement")  # may prescribe some components
 
 
@@ -32,12 +33,15 @@ class Condition:
         self.value = value if isinstance(value, list) or value is None else [value]
         self.components = given.get("Components", "All") if self.type in PARTIAL else "All"
         self.expressions = {key.replace("Expression", "").strip(): text for key, text in given.items() if key.startswith("Expression")}
-        self.support = self.type in SUPPORTS
+        self.motions = {name: given[name] for name in MOTIONS if name in given}
+        if self.type == "Rigid Group" and given.get("Force"):
+            self.value = as_list(given["Force"])
+        self.support = self.type in SUPPORTS or (self.type == "Rigid Group" and self.value is None)
 
     @property
     def unit(self):
         length, force, stress = self.run.units
-        return {"Displacement": length, "Mean Displacement": length, "Preload": force, "Traction": stress, "Pressure": stress, "Force": force, "Point Force": force,
+        return {"Displacement": length, "Rigid Group": force, "Mean Displacement": length, "Preload": force, "Traction": stress, "Pressure": stress, "Force": force, "Point Force": force,
                 "Moment": f"{force} {length}", "Body Force": f"{force}/{length}³", "Initial Stress": stress,
                 "Gravity": f"{length}/time²", "Rotation": "1/time"}.get(self.type, "")
 
@@ -73,6 +77,8 @@ class Condition:
             per = f"{self.run.stress_unit}/{self.run.length_unit}"
             return ", ".join(f"{what.lower()} {vector(self.given[what])} {per}" for what in ("Normal Stiffness", "Tangential Stiffness")
                              if self.given.get(what))
+        if self.type == "Rigid Group":
+            return self._rigid()
         if self.type == "Random Load":
             return f"amplitude {vector(self.given.get('Amplitude', 0))} {self.run.force_unit}"
         if self.expressions:
@@ -86,6 +92,17 @@ class Condition:
             return "held: u = 0"
         extra = f", about {vector(self.given['Point'])}" if self.type == "Rotation" and self.given.get("Point") else ""
         return vector(self.value) + unit + extra
+
+    def _rigid(self):
+        """A rigid group in words: its point, its prescribed motions, force and moment."""
+        length, force, _ = self.run.units
+        parts = [f"rigid about {vector(self.given.get('Point', []))}"]
+        parts += [f"{name[0].lower() + name[1:]} {vector(value)} {length if name.startswith('Motion') else 'rad'}" for name, value in self.motions.items()]
+        if self.value is not None:
+            parts.append(f"force {vector(self.value)} {force}")
+        if self.given.get("Moment"):
+            parts.append(f"moment {vector(as_list(self.given['Moment']))} {force} {length}")
+        return ", ".join(parts)
 
     def place(self, short=False):
         """\\param short  abbreviates long lists of groups by families"""

@@ -195,6 +195,17 @@ Json safetyJson(const Run& run, int dimension) {
   return all;
 }
 
+Json rigidGroupsJson(const Run& run, int dimension) {
+  Json all = Json::object();
+  for (const RigidGroupMotion& group : run.solution.rigidGroups) {
+    Json& row = all[run.conditions[static_cast<std::size_t>(group.condition)]];
+    row["point"] = componentsOf(group.point, dimension);
+    row["displacement"] = componentsOf(group.displacement, dimension);
+    row["rotation"] = dimension == 2 ? Json::array({group.rotation[2]}) : componentsOf(group.rotation, 3);
+  }
+  return all;
+}
+
 std::string extremesText(const Run& run, int dimension) {
   const Extremes& found = run.solution.extremes;
   if (!found.displacement.exists()) return "";
@@ -210,6 +221,11 @@ std::string extremesText(const Run& run, int dimension) {
     text += format("; contact pressure up to %.3e %s on '%s' at %s", pair->pressure, units.stress.c_str(),
                    contactName(run, pair->line).c_str(), placeText(pair->position, dimension).c_str());
   text += "\n";
+  for (const RigidGroupMotion& group : run.solution.rigidGroups) {
+    text += "   rigid group '" + run.conditions[static_cast<std::size_t>(group.condition)] + "' moves by " + placeText(group.displacement, dimension) + " " +
+            units.length + " and turns by ";
+    text += (dimension == 2 ? format("%.6g", group.rotation[2]) : placeText(group.rotation, 3)) + " rad\n";
+  }
   if (run.solution.safety.ofBodies.empty() || !leastOf(run.solution.safety).exists()) return text;
   const LeastSafety& least = leastOf(run.solution.safety);
   const Material& material = least.material(run.model);

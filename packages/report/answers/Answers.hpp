@@ -32,6 +32,8 @@ const PairResult* largestPressure(const Solution& solution);
 
 /// `extremes` and `reactions` of summary.json. On rank 0.
 nlohmann::ordered_json extremesJson(const Run& run, int dimension);
+/// `rigid_groups` of summary.json. On rank 0.
+nlohmann::ordered_json rigidGroupsJson(const Run& run, int dimension);
 nlohmann::ordered_json reactionsJson(const Run& run, int dimension);
 
 /// `safety` of summary.json. On rank 0.
