@@ -226,8 +226,7 @@ void buildRigidGroups(const Mesh& mesh, const std::vector<Condition>& conditions
       }
     }
     if (problems.list().size() > before) continue;
-    constraints.rigidGroups.push_back(
-        Builder(mesh, conditions, static_cast<int>(number), nodes).build(factors, constraints, problems));
+    constraints.rigidGroups.push_back(Builder(mesh, conditions, static_cast<int>(number), nodes).build(factors, constraints, problems));
   }
 }
 

@@ -137,7 +137,8 @@ Schema boundaryConditionSchema() {
           "along "
           "its axis [1 / time]; Temperature: one; Initial Strain: xx, yy, zz, xy, in 3D also yz, xz, where xy is 2 e_xy; Initial Stress: "
           "xx, yy, zz, xy, in 3D also yz, xz [stress], tension positive; Mean Displacement: one entry per component [length]; Preload: one "
-          "[force], tension positive; none for Bilateral, Elastic Support, Random Load and Rigid Group. In 2D per unit thickness, in axisymmetric "
+          "[force], tension positive; none for Bilateral, Elastic Support, Random Load and Rigid Group. In 2D per unit thickness, in "
+          "axisymmetric "
           "scenes "
           "for the whole circle")
       .optional()

@@ -160,14 +160,16 @@ class Entry {
       if (!list_.isParameter(names[k])) continue;
       condition_.motions[k] = list_.get<double>(names[k]);
       if (mesh_.dimension == 2 && (k == 2 || k == 3 || k == 4)) wrong(names[k], "found in 2D; expected Motion x, Motion y or Rotation z");
-      if (mesh_.axisymmetric && k != 1) wrong(names[k], "found in an axisymmetric scene, where a rigid group moves along the axis only; expected Motion y");
+      if (mesh_.axisymmetric && k != 1)
+        wrong(names[k], "found in an axisymmetric scene, where a rigid group moves along the axis only; expected Motion y");
     }
     for (const char* load : {"Force", "Moment"}) {
       if (!list_.isParameter(load)) continue;
       const std::size_t given = static_cast<std::size_t>(list_.get<Teuchos::Array<double>>(load).size()),
                         expected = load[0] == 'M' && mesh_.dimension == 2 ? 1 : static_cast<std::size_t>(mesh_.dimension);
       if (given != expected) wrong(load, std::to_string(given) + " values; expected " + std::to_string(expected));
-      if (mesh_.axisymmetric && load[0] == 'M') wrong(load, "a Moment cannot act on a body of revolution: it has no resultant around the circle");
+      if (mesh_.axisymmetric && load[0] == 'M')
+        wrong(load, "a Moment cannot act on a body of revolution: it has no resultant around the circle");
     }
   }
 
@@ -193,9 +195,7 @@ class Entry {
 
 }  // namespace
 
-bool Condition::onSides() const {
-  return formOf(type).place == ConditionForm::Place::Sides && (!point || type == Type::RigidGroup);
-}
+bool Condition::onSides() const { return formOf(type).place == ConditionForm::Place::Sides && (!point || type == Type::RigidGroup); }
 
 Condition Condition::displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components) {
   Condition condition;

@@ -24,7 +24,7 @@ struct CondensedContact {
   Vector bounds;
   std::vector<int> lines{};  ///< contact line of each row, with successive rows of a line being neighbours; empty: a single line
   bool surfaces = false;     ///< rows of one line lie on a surface, unordered
-  Vector diagonal{};  ///< of the stiffness of the whole bodies at the contact dofs, before the others are eliminated; empty: not known
+  Vector diagonal{};         ///< diagonal of the stiffness at the contact dofs before other dofs are eliminated; empty: not known
   Vector nodal{};  ///< compliance of each row's nodes, sum of coefficient^2 / K of the whole bodies; empty: from S [length / force]
 
   /// A contact pair, whose law governs its rows: the first is normal, the others are tangential.

@@ -24,7 +24,11 @@ Vector inAxes(const NodeRule* rule, const Point& direction, int dimension) {
 }  // namespace
 
 MonolithicSystem::MonolithicSystem(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model)
-    : mesh_(mesh), constraints_(constraints), model_(model), forces_(nodalLoads(mesh, model)), rigid_(constraints.rigidGroups, mesh.dimension) {
+    : mesh_(mesh),
+      constraints_(constraints),
+      model_(model),
+      forces_(nodalLoads(mesh, model)),
+      rigid_(constraints.rigidGroups, mesh.dimension) {
   requireGeometry(mesh, model);
   number();
   assemble();
@@ -64,7 +68,8 @@ void MonolithicSystem::number() {
         if (fixed[c]) rows_[row].bound -= weight * direction[k] * prescribed_[c];
         if (std::abs(direction[k]) <= negligible) continue;
         const auto add = [&](int unknown, double coefficient) {
-          const auto same = std::find_if(entries.begin() + first, entries.end(), [&](const Entry& one) { return one.component == unknown; });
+          const auto same =
+              std::find_if(entries.begin() + first, entries.end(), [&](const Entry& one) { return one.component == unknown; });
           inContact[unknown] = 1;
           if (same != entries.end())
             same->coefficient += coefficient;
@@ -74,9 +79,8 @@ void MonolithicSystem::number() {
         if (!fixed[c])
           add(c, weight * direction[k]);
         else
-          rigid_.forEachMaster(node, k, [&](int master, int of, double coefficient) {
-            add(component(master, of), weight * direction[k] * coefficient);
-          });
+          rigid_.forEachMaster(
+              node, k, [&](int master, int of, double coefficient) { add(component(master, of), weight * direction[k] * coefficient); });
       }
     }
   };

@@ -63,8 +63,7 @@ void round(Vector& amplitudes) {
 
 class Lifting {
  public:
-  Lifting(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry)
-      : comm_(comm), meshes_(meshes), carry_(carry) {
+  Lifting(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry) : comm_(comm), meshes_(meshes), carry_(carry) {
     for (const SubdomainMesh& mesh : meshes) rigid_.emplace_back(mesh.rigidGroups, mesh.dimension);
   }
   bool run();

@@ -25,8 +25,8 @@ struct Attachments {
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.sideGroups), each(self.rules), each(self.supports), each(self.rigidGroups), each(self.springs), each(self.contactEnds), each(self.rows),
-        each(self.rowsOf), each(self.cells), each(self.cellsOf);
+    each(self.sideGroups), each(self.rules), each(self.supports), each(self.rigidGroups), each(self.springs), each(self.contactEnds),
+        each(self.rows), each(self.rowsOf), each(self.cells), each(self.cellsOf);
   }
 };
 

@@ -45,8 +45,8 @@ class Cutter {
   std::vector<std::vector<SubdomainMesh::SeamSide>> seams_;
   std::vector<std::vector<SubdomainMesh::SeamEdge>> edges_;
   std::vector<std::vector<RigidGroup>> rigidGroups_;
-  NodeSubdomains withMasters_;     // holders of the nodes if there are rigid groups
-  const NodeSubdomains& holders_;  // those, or those of the share
+  NodeSubdomains withMasters_;                 // holders of the nodes if there are rigid groups
+  const NodeSubdomains& holders_;              // those, or those of the share
   std::vector<int> localNode_, localElement_;  // work space: numbers in the current subdomain, -1 outside
 };
 

@@ -4,8 +4,8 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/partition/Cutter.hpp>
-#include <suture/partition/SubdomainBytes.hpp>
 #include <suture/partition/PairHolders.hpp>
+#include <suture/partition/SubdomainBytes.hpp>
 
 namespace suture {
 namespace {

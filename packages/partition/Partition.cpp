@@ -6,13 +6,13 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/partition/Attachments.hpp>
+#include <suture/partition/PairHolders.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/partition/PartitionFile.hpp>
 #include <suture/partition/cut/ContactGroups.hpp>
 #include <suture/partition/cut/Costs.hpp>
 #include <suture/partition/cut/Cut.hpp>
 #include <suture/partition/cut/Placement.hpp>
-#include <suture/partition/PairHolders.hpp>
 
 namespace suture {
 

@@ -136,7 +136,7 @@ void Subdomain::assemble() {
   const Matrix modes = doRigidModes(), onSprings = springModes(modes);
   heldModes_ = Matrix(onSprings.rows() + Eigen::Index(fixed_.size()), modes.cols());
   const Matrix atFree = rowsAt(modes, free_);
-  const Matrix following = expansion_.rows() > 0 ? Matrix(modes - expansion_ * atFree) : modes;  // what prescribed values must account for
+  const Matrix following = expansion_.rows() > 0 ? Matrix(modes - expansion_ * atFree) : modes;  // prescribed values account for the rest
   heldModes_ << rowsAt(following, fixed_), onSprings;
   freeMotions_ = nullSpace(heldModes_);
 }
@@ -167,7 +167,8 @@ Matrix Subdomain::idleMasters() const {
     for (Eigen::Index c = 0; c < idle.cols(); ++c) {
       columns.push_back(Vector::Zero(dofs()));
       for (int m = 0; m < group.masters(); ++m)
-        columns.back()(dof(group.masterNodes[static_cast<std::size_t>(m)], group.masterComponents[static_cast<std::size_t>(m)])) = idle(m, c);
+        columns.back()(dof(group.masterNodes[static_cast<std::size_t>(m)], group.masterComponents[static_cast<std::size_t>(m)])) =
+            idle(m, c);
     }
   }
   Matrix all(dofs(), static_cast<Eigen::Index>(columns.size()));
@@ -300,9 +301,7 @@ Vector Subdomain::outOfAxes(Vector values) const {
   return values;
 }
 
-Vector Subdomain::cartesian(const Vector& values) const {
-  return outOfAxes(expanded(values));
-}
+Vector Subdomain::cartesian(const Vector& values) const { return outOfAxes(expanded(values)); }
 
 Vector Subdomain::freeValues(const Vector& cartesian) const {
   const Vector all = inAxes(cartesian);

@@ -63,9 +63,10 @@ class Subdomain {
   /// grows with the subdomain: call it once, and keep the part on the boundary. \throws NumericalError  the number of its rows is not that
   /// of the unknowns
   Hint hint(const std::string& name) const;
-  Matrix rigidModes() const;                                     ///< free x all rigid-body modes
-  const Matrix& heldModes() const { return heldModes_; }         ///< prescribed components and springs x all rigid-body modes
-  /// Null space of stiffness(): modes that vanish at prescribed components, and masters of rigid groups that move no node of an element here.
+  Matrix rigidModes() const;                              ///< free x all rigid-body modes
+  const Matrix& heldModes() const { return heldModes_; }  ///< prescribed components and springs x all rigid-body modes
+  /// Null space of stiffness(): modes that vanish at prescribed components, and masters of rigid groups that move no node of an element
+  /// here.
   Matrix kernel() const;
 
   /// Nodal displacements (node-major, Cartesian) from the values of the free unknowns, including prescribed components.

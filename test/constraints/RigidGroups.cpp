@@ -82,8 +82,9 @@ TEUCHOS_UNIT_TEST(RigidGroups, TakeOverOtherSupportsOfTheirNodes) {
   int walls = 0;
   for (const Support& support : both.supports) walls += support.condition == 0;
   TEST_EQUALITY(walls, 2);  // the third node of the wall belongs to the group
-  SUTURE_CHECK_SAYS(said(mesh, displacement("wall", "b0_left", "0.05", "x") + displacement("end", "b0_right", "0.06", "x") + rigid("b0_top")),
-                    "Boundary Conditions/platen: other conditions on its nodes would deform it, for instance at (");
+  SUTURE_CHECK_SAYS(
+      said(mesh, displacement("wall", "b0_left", "0.05", "x") + displacement("end", "b0_right", "0.06", "x") + rigid("b0_top")),
+      "Boundary Conditions/platen: other conditions on its nodes would deform it, for instance at (");
 }
 
 TEUCHOS_UNIT_TEST(RigidGroups, BelongToOneBody) {

@@ -7,15 +7,15 @@ namespace suture {
 
 /// Motion of a rigid group at a solution.
 struct RigidGroupMotion {
-  int condition = -1;          ///< index in Constraints::conditions
-  Point point{0, 0, 0};        ///< reference point
-  Point displacement{0, 0, 0}; ///< of the reference point [length]
-  Point rotation{0, 0, 0};     ///< about the axes; in 2D only the third component [radians]
+  int condition = -1;           ///< index in Constraints::conditions
+  Point point{0, 0, 0};         ///< reference point
+  Point displacement{0, 0, 0};  ///< displacement of that point [length]
+  Point rotation{0, 0, 0};      ///< rotation about the axes; in 2D only the third component [radians]
 };
 
-/// Motions of all rigid groups, by condition: the rigid motion that fits the displacements of their nodes (least squares; nodes on a line do
-/// not determine the rotation about it: the smallest is given). Collective; the same on all ranks.
-/// \param displacement  of each mesh, without its lift: node-major, Cartesian
+/// Motions of all rigid groups, by condition: the rigid motion that fits the displacements of their nodes (least squares; nodes on a line
+/// do not determine the rotation about it: the smallest is given). Collective; the same on all ranks. \param displacement  of each mesh,
+/// without its lift: node-major, Cartesian
 std::vector<RigidGroupMotion> rigidGroupMotions(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
                                                 const std::vector<Vector>& displacement);
 

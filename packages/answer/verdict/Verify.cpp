@@ -94,7 +94,7 @@ Verifier::Verifier(const Comm& comm, const Answer& answer)
   axisymmetric_ = all[1] > 0;
 }
 
-/// Sizes of the cells at the nodes of each mesh. The subdomain that counts a master may have no element there: the others tell it.
+/// Sizes of the cells at the nodes of each mesh. A subdomain that counts a master may have no element there: the others know the size.
 std::vector<std::vector<double>> Verifier::cellsAlongContact(const SeamExchange& seams, bool hasRigidGroups) const {
   std::vector<std::vector<double>> all;
   for (const SubdomainMesh& mesh : answer_.meshes) all.push_back(edgesAlongContact(mesh));

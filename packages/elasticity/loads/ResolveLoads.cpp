@@ -82,7 +82,8 @@ std::map<GlobalId, Point> nodesOfGroups(const Pieces& pieces, const Load& load) 
   std::vector<NearNode> mine;
   for (const Pieces::Piece& piece : pieces.pieces)
     for (const Side& side : sidesOf(*piece.groups, load.groups))
-      for (const int node : piece.block->nodesOf(side)) mine.push_back({0.0, piece.numberOf(node), piece.bodyOf(node), piece.block->point(node)});
+      for (const int node : piece.block->nodesOf(side))
+        mine.push_back({0.0, piece.numberOf(node), piece.bodyOf(node), piece.block->point(node)});
   std::map<GlobalId, Point> all;
   for (const NearNode& one : pieces.join(mine)) all.emplace(one.node, one.place);
   return all;

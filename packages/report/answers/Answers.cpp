@@ -84,7 +84,8 @@ std::vector<ConditionResultant> conditionResultants(const Run& run) {
   for (std::size_t l = 0; l < run.model.loads.size(); ++l) {
     const Load& load = run.model.loads[l];
     if (load.kind == Load::Kind::NodalForces && load.factor == 0.0) continue;  // forces of removed parts, which have fallen to zero
-    ConditionResultant& row = rowOf(load.atReference ? load.name + "/Force" : load.name, load.control == Load::Control::MeanDisplacement ? "support" : "load");
+    ConditionResultant& row =
+        rowOf(load.atReference ? load.name + "/Force" : load.name, load.control == Load::Control::MeanDisplacement ? "support" : "load");
     if (l < reactions.loads.size()) row.sum.add(reactions.loads[l]);
   }
   for (std::size_t s = 0; s < run.model.supports.size() && s < reactions.springs.size(); ++s)
@@ -222,8 +223,8 @@ std::string extremesText(const Run& run, int dimension) {
                    contactName(run, pair->line).c_str(), placeText(pair->position, dimension).c_str());
   text += "\n";
   for (const RigidGroupMotion& group : run.solution.rigidGroups) {
-    text += "   rigid group '" + run.conditions[static_cast<std::size_t>(group.condition)] + "' moves by " + placeText(group.displacement, dimension) + " " +
-            units.length + " and turns by ";
+    text += "   rigid group '" + run.conditions[static_cast<std::size_t>(group.condition)] + "' moves by " +
+            placeText(group.displacement, dimension) + " " + units.length + " and turns by ";
     text += (dimension == 2 ? format("%.6g", group.rotation[2]) : placeText(group.rotation, 3)) + " rad\n";
   }
   if (run.solution.safety.ofBodies.empty() || !leastOf(run.solution.safety).exists()) return text;
