@@ -23,8 +23,7 @@ constexpr double noMotion = 1e-8;  // relative to a unit amplitude
 // Largest change of a gap, relative to the amplitude of the motion, that counts as zero: a round body that turns in its seat changes gaps
 // by the inaccuracy of mesh coordinates (normals of nodes that Gmsh puts on circles are accurate to 1e-8).
 constexpr double noOpening = 1e-6;
-constexpr double kBalanced = 1e-9;    // imbalance of pads, relative to the loads, at which they prove that contact holds all bodies
-constexpr double kUnbalanced = 1e-4;  // least remainder, relative to the loads, that is no error of rigid pads (PadModel)
+constexpr double kBalanced = 1e-9;  // imbalance of pads, relative to the loads, at which they prove that contact holds all bodies
 
 // The simplest motion in a space of amplitudes (orthonormal columns): a translation if there is one, along an axis if possible.
 std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
@@ -152,7 +151,7 @@ Vector unbalancedWork(const SparseRows& rows, const Matrix& sliding, const Vecto
     return free;
   }
   const Vector rest = remainder();
-  return rest.norm() <= kUnbalanced * work.norm() ? free : Vector(rest + free);
+  return rest.norm() <= PadModel::kUnbalanced * work.norm() ? free : Vector(rest + free);
 }
 
 void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
