@@ -111,8 +111,9 @@ Schema boundaryConditionSchema() {
           "materials; Rotation: centrifugal force of a body that turns about a point (2D), its axis (axisymmetric) or an axis "
           "through a point (3D), by Density; Temperature: strain Thermal Expansion x (Temperature - Reference Temperature); "
           "Initial Strain: of shrinkage, swelling, or a bolt's preload as the shortening of its shank; Initial Stress: of rock before it "
-          "is excavated; Mean Displacement: of a group, imposed by a uniform traction; Preload: shortening of a body, such as a bolt, "
-          "under which it carries a given force; Elastic Support: springs on an area (Winkler); Random Load: forces on all nodes of a "
+          "is excavated; Mean Displacement: of a group, imposed by a uniform traction, counts as a support; Preload: shortening of a body, "
+          "such as a bolt, under which it carries a given force; Elastic Support: springs on an area (Winkler); Random Load: forces on all "
+          "nodes of a "
           "body, for studies of solvers")
       .reals(
           "Value", std::nullopt,

@@ -116,8 +116,30 @@ SparseRows contactRows(const Mesh& mesh, const Constraints& constraints, const C
   return rows;
 }
 
-/// Motions that keep all gaps: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed, except from rows of many
-/// bodies, which must stay sparse.
+/// Appends the forces of prescribed means to the rows: each in both senses.
+void appendMeans(const Mesh& mesh, const std::vector<PrescribedMean>& means, const RigidParts& rigid, const Modes& modes,
+                 SparseRows& rows) {
+  if (means.empty()) return;
+  std::vector<Eigen::Triplet<double, int>> entries;
+  const int before = int(rows.rows());
+  for (std::size_t m = 0; m < means.size(); ++m)
+    for (const auto& [node, weight] : means[m].nodes) {
+      const int part = rigid.partOfNode[std::size_t(node)];
+      const RigidPart& r = rigid.parts[std::size_t(part)];
+      if (r.free.cols() == 0) continue;
+      const Vector effect = weight * (r.at(mesh.point(node), mesh.dimension).row(means[m].component) * r.free).transpose();
+      for (int k = 0; k < int(effect.size()); ++k)
+        for (const int sense : {0, 1})
+          entries.emplace_back(before + 2 * int(m) + sense, modes.first[std::size_t(part)] + k, sense == 0 ? effect[k] : -effect[k]);
+    }
+  for (int row = 0; row < before; ++row)
+    for (SparseRows::InnerIterator entry(rows, row); entry; ++entry) entries.emplace_back(row, int(entry.col()), entry.value());
+  rows.resize(before + 2 * Eigen::Index(means.size()), modes.count);
+  rows.setFromTriplets(entries.begin(), entries.end());
+}
+
+/// Motions that keep all gaps and means: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed, except from rows of
+/// many bodies, which must stay sparse.
 Matrix slidingMotions(SparseRows& rows) {
   if (rows.cols() > kMostDense) return sparseNullSpace(rows, noOpening);
   const SingularValues svd = singularValues(Matrix(rows));
@@ -214,14 +236,17 @@ class Refusals {
 
 }  // namespace
 
-void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid) {
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid,
+                      const std::vector<PrescribedMean>& means) {
   const int dimension = mesh.dimension, parts = int(rigid.parts.size());
   Problems problems;
   checkPrescribedPairs(mesh, constraints, problems);
 
-  std::vector<char> inContact(parts, 0);
+  std::vector<char> inContact(parts, 0), hasMean(parts, 0);
   for (const ContactPair& pair : constraints.pairs)
     for (const PairEnd& end : pair.ends) inContact[rigid.partOfNode[end.node]] = 1;
+  for (const PrescribedMean& mean : means)
+    for (const auto& entry : mean.nodes) hasMean[rigid.partOfNode[std::size_t(entry.first)]] = 1;
   Refusals refusals(problems);
   const auto name = [&](int part) { return mesh.bodies[rigid.parts[part].body]; };
 
@@ -230,7 +255,7 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     modes.first.push_back(modes.count);
     modes.count += int(rigid.parts[part].free.cols());
     const RigidPart& r = rigid.parts[part];
-    if (inContact[part] || r.free.cols() == 0) continue;
+    if (inContact[part] || hasMean[part] || r.free.cols() == 0) continue;
     refusals.add(name(part),
                  (r.free.cols() == r.free.rows()
                       ? std::string(" is not held: it has no prescribed displacement, no Elastic Support and no contact")
@@ -255,6 +280,7 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
   }
   const ContactForces generators = contactForces(mesh, constraints);
   SparseRows rows = contactRows(mesh, constraints, generators, rigid, modes);
+  appendMeans(mesh, means, rigid, modes, rows);
   const Matrix sliding = slidingMotions(rows);
   const double loads = force.sum();
   if (loads > 0) {
@@ -280,6 +306,12 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     if (r.free.cols() == 0) continue;
     const Matrix own = spanOf(sliding.middleRows(modes.first[part], r.free.cols()));
     if (own.cols() == 0) continue;
+    if (hasMean[part] && !inContact[part]) {
+      refusals.add(name(part), " can " + inWords(r, Matrix(r.free * own), dimension) +
+                                   ": it has no contact, and neither a prescribed displacement, an Elastic Support nor a Mean Displacement "
+                                   "prevents this motion. Prescribe that displacement, or the mean displacement of another group");
+      continue;
+    }
     refusals.add(name(part),
                  " can " + inWords(r, Matrix(r.free * own), dimension) +
                      " without opening its contacts: nothing holds it and no load pushes it, so that its place is not determined. "
@@ -289,7 +321,11 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
 }
 
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected) {
-  checkSolvability(mesh, constraints, nodalLoads(mesh, model), freeRigidMotions(mesh, constraints, bodiesAreConnected));
+  const std::vector<PrescribedMean> means = prescribedMeans(mesh, model);
+  Problems problems;
+  checkMeans(mesh, constraints, model, means, problems);
+  problems.throwIfAny();
+  checkSolvability(mesh, constraints, nodalLoads(mesh, model), freeRigidMotions(mesh, constraints, bodiesAreConnected), means);
 }
 
 }  // namespace suture
