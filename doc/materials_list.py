@@ -1,10 +1,9 @@
 #!/usr/bin/python3
 """The page doc/materials_list.md, from the built-in materials that suture_schema prints. materials_list.py SUTURE_SCHEMA [--check]: prints
 the page; --check compares it with the file beside this script instead."""
-import difflib
-import pathlib
-import subprocess
 import sys
+
+from generated_page import markdown, show_or_check
 
 HEAD = """# Built-in materials
 
@@ -21,20 +20,5 @@ ratio; expansion: thermal expansion.
 
 """
 
-
-def main():
-    text = subprocess.run([sys.argv[1], "--materials", "--format", "markdown"], capture_output=True, text=True, check=True).stdout
-    page = HEAD + text
-    if "--check" not in sys.argv:
-        sys.stdout.write(page)
-        return 0
-    file = pathlib.Path(__file__).with_suffix(".md")
-    difference = list(difflib.unified_diff(file.read_text().splitlines(), page.splitlines(), "doc/materials_list.md", "suture_schema", lineterm=""))
-    if difference:
-        print("\n".join(difference))
-        print("renew it: python3 doc/materials_list.py build/drivers/suture_schema > doc/materials_list.md")
-    return 1 if difference else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(show_or_check(__file__, HEAD + markdown("--materials")))

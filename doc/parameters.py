@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 """The page doc/parameters.md, from the descriptions that suture_schema prints. parameters.py SUTURE_SCHEMA [--check]: prints the page;
 --check compares it with the file beside this script instead."""
-import difflib
-import pathlib
 import re
-import subprocess
 import sys
+
+from generated_page import markdown, show_or_check
 
 HEAD = """# Parameters
 
@@ -22,9 +21,8 @@ with all defaults.
 ADVANCED = ("Exact Solution", "Partition", "Condensed Groups", "Contact On The Interface", "Outer Solver", "Preconditioner", "Subdomain")
 
 
-def section(program, title, *options):
-    text = subprocess.run([program, *options, "--format", "markdown"], capture_output=True, text=True, check=True).stdout
-    text = re.sub(r"(?<!\.)\.\.(?!\.)", ".", text)
+def section(title, *options):
+    text = re.sub(r"(?<!\.)\.\.(?!\.)", ".", markdown(*options))
     text = re.sub(r"(?<=[^.|:;]) (?=\*[A-Z][^*|]*\*: )", ". ", text)  # the list of choices is a separate sentence
     text = text.replace("&lt;&lt;", "&lt;").replace(">>", ">")
     text = re.sub(r"^## \(top\)\n+", "", text, flags=re.M)
@@ -42,16 +40,7 @@ def ordered(scene):
 
 
 def main():
-    page = HEAD + ordered(section(sys.argv[1], "A scene")) + "\n" + section(sys.argv[1], "A study", "--study")
-    if "--check" not in sys.argv:
-        sys.stdout.write(page)
-        return 0
-    file = pathlib.Path(__file__).with_suffix(".md")
-    difference = list(difflib.unified_diff(file.read_text().splitlines(), page.splitlines(), "doc/parameters.md", "suture_schema", lineterm=""))
-    if difference:
-        print("\n".join(difference))
-        print("doc/parameters.md differs from the output of suture_schema; renew it: python3 doc/parameters.py build/drivers/suture_schema > doc/parameters.md")
-    return 1 if difference else 0
+    return show_or_check(__file__, HEAD + ordered(section("A scene")) + "\n" + section("A study", "--study"))
 
 
 if __name__ == "__main__":

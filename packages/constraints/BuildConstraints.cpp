@@ -110,7 +110,7 @@ std::vector<SpringDirection> springsOf(const Mesh& mesh, const std::vector<Condi
 }
 
 // Reports bodies that no condition and no contact holds.
-void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
+void checkHeld(const Mesh& mesh, const std::vector<Condition>& conditions, const Constraints& constraints, Problems& problems) {
   std::vector<char> held(mesh.bodies.size(), 0);
   const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
   for (const NodeRule& rule : constraints.rules)  // so far from boundary conditions only
@@ -118,14 +118,19 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
   for (const RigidGroup& group : constraints.rigidGroups)
     if (group.masters() < rigidMotions(mesh.dimension)) held[mesh.bodyOfNode[group.nodes.front()]] = 1;
   for (const SpringDirection& spring : constraints.springs) held[mesh.bodyOfNode[spring.node]] = 1;
+  for (const Condition& condition : conditions)
+    if (condition.type == Condition::Type::MeanDisplacement)
+      for (const Side& side : sidesOf(mesh.sideGroups, condition.groups)) held[mesh.bodyOfElement[side.element]] = 1;
   for (const ContactPiece& piece : constraints.pieces) {
     if (piece.isWithinOneBody) continue;
     for (const int body : piece.bodies) held[body] = 1;
   }
   for (std::size_t body = 0; body < mesh.bodies.size(); ++body)
     if (!held[body])
-      problems.add("Bodies/" + mesh.bodies[body],
-                   "nothing holds this body: no Displacement, Bilateral or Elastic Support condition and no contact is on its boundary");
+      problems.add(
+          "Bodies/" + mesh.bodies[body],
+          "nothing holds this body: no Displacement, Bilateral, Elastic Support or Mean Displacement condition and no contact is on its "
+          "boundary");
 }
 
 Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
@@ -155,7 +160,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   constraints.pieces = findPieces(mesh, contacts, paired, constraints.pairs);
   estimatePressures(contacts, paired, constraints);
   findOpenEnds(mesh, conditions, contacts, constraints);
-  checkHeld(mesh, constraints, problems);
+  checkHeld(mesh, conditions, constraints, problems);
   problems.throwIfAny();
   addContactFrames(mesh.dimension, constraints.pairs, constraints.rules);
   return constraints;

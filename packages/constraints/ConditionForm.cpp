@@ -125,10 +125,10 @@ Schema boundaryConditionSchema() {
           "materials; Rotation: centrifugal force of a body that turns about a point (2D), its axis (axisymmetric) or an axis "
           "through a point (3D), by Density; Temperature: strain Thermal Expansion x (Temperature - Reference Temperature); "
           "Initial Strain: of shrinkage, swelling, or a bolt's preload as the shortening of its shank; Initial Stress: of rock before it "
-          "is excavated; Mean Displacement: of a group, imposed by a uniform traction; Preload: shortening of a body, such as a bolt, "
-          "under which it carries a given force; Elastic Support: springs on an area (Winkler); Random Load: forces on all nodes of a "
-          "body, for studies of solvers; Rigid Group: the nodes of a group move as one rigid body about its Point, with prescribed or free "
-          "motions, and a Force and Moment that act at the Point")
+          "is excavated; Mean Displacement: of a group, imposed by a uniform traction, counts as a support; Preload: shortening of a body, "
+          "such as a bolt, under which it carries a given force; Elastic Support: springs on an area (Winkler); Random Load: forces on all "
+          "nodes of a body, for studies of solvers; Rigid Group: the nodes of a group move as one rigid body about its Point, with "
+          "prescribed or free motions, and a Force and Moment that act at the Point")
       .reals(
           "Value", std::nullopt,
           "Displacement: one entry per component [length]; Traction: one per direction [stress]; Pressure: one [stress]; Force: one per "

@@ -25,11 +25,9 @@ constexpr int kCoulombRounds = 20;      // maximum number of convex problems of 
 constexpr int kDamped = 6;              // rounds after which fixed-point steps are halved
 constexpr double kSameSlip = 1e-4;      // relative change of slips at which the fixed point has converged
 constexpr double kRigid = 1e-9;         // compliance of pads in limit analysis: bodies move almost by springs only
-constexpr double kUnbalanced = 1e-4;  // least fraction of the loads left to the springs by the cones if there is no equilibrium. Measured:
-                                      // at most 3e-6 with an equilibrium, at least 3e-3 without
-constexpr double kBalanced = 1e-9;    // imbalance of limit analysis relative to the loads
-constexpr double kWeakSpring = 1e-9;  // springs in addition to given rays
-constexpr int kBrackets = 60;         // maximum number of steps of a line search
+constexpr double kBalanced = 1e-9;      // imbalance of limit analysis relative to the loads
+constexpr double kWeakSpring = 1e-9;    // springs in addition to given rays
+constexpr int kBrackets = 60;           // maximum number of steps of a line search
 
 }  // namespace
 

@@ -1,7 +1,7 @@
-#include <suture/answer/solvability/Solvability.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
 #include <suture/mesh/Regions.hpp>
+#include <suture/simulation/MeanSupports.hpp>
 #include <suture/simulation/ReadStage.hpp>
 
 #include <Teuchos_ParameterList.hpp>
@@ -48,11 +48,15 @@ void checkElements(const Comm& comm, const std::vector<SubdomainMesh>& meshes, c
 
 void checkSolvability(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                       const Partition& partition) {
-  collectivelyOnRoot(comm, "checking that the scene has a solution", [&] {
-    ElasticModel resolved = model;  // suture_partition calls this before the mesh is partitioned
-    resolveLoads(mesh, resolved);
-    checkSolvability(mesh, constraints, resolved, partition.bodiesAreConnected);
-  });
+  ElasticModel resolved = model;
+  collectivelyOnRoot(comm, "placing the loads", [&] { resolveLoads(mesh, resolved); });
+  const MeanSupports needed = MeanSupports::find(comm, mesh, constraints, resolved, partition.bodiesAreConnected);
+  if (needed.empty()) return;
+  const MeanSupports::Held& first = needed.all().front();
+  throw InputError(model.loads[static_cast<std::size_t>(first.load)].path,
+                   "without it, body '" + model.bodies[static_cast<std::size_t>(first.body)] +
+                       "' is not held: such a Mean Displacement needs the whole mesh, not a partitioned one. Solve the scene without "
+                       "suture_partition, or prescribe displacements on this body");
 }
 
 }  // namespace suture

@@ -17,7 +17,8 @@ Constraints readConstraints(const Comm& comm, const Mesh& mesh, const Scene& sce
 void checkElements(const Comm& comm, const Mesh& mesh, const ElasticModel& model);
 void checkElements(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
 
-/// Checks that a scene has a solution. \throws InputError  names the body and its free motion. Collective.
+/// Checks that a scene with a partitioned mesh has a solution, before its mesh is partitioned. \throws InputError  names the body and its
+/// free motion; a body that only mean displacements hold. Collective.
 /// \param partition  of the mesh; provides whether its bodies are known to be connected
 void checkSolvability(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                       const Partition& partition);

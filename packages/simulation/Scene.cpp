@@ -38,7 +38,7 @@ Condition conditionOf(const Load& load, const std::string& name) {
   Condition condition;
   condition.name = name;
   condition.path = "ElasticModel::loads/" + name;
-  condition.type = formOf(load.kind).type;
+  condition.type = load.control == Load::Control::MeanDisplacement ? Condition::Type::MeanDisplacement : formOf(load.kind).type;
   condition.groups = load.groups;
   condition.body = load.body;
   return condition;

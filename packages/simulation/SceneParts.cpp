@@ -68,6 +68,7 @@ void judgeSolution(SceneParts& parts, const Subdomains& subdomains, Solution& so
   const Scene& scene = parts.scene;
   const LoadPath* path = parts.path.get();
   timed(timers, "verify", [&] { settleMotions(comm, meshes, pieces, scene, path, solution, parts.run.monitor()); });
+  parts.meanSupports.removeFrom(meshes);
   findErrors(comm, meshes, scene, solution, timers);
   timed(timers, "verify", [&] { verifySolution(comm, meshes, pieces, subdomains, scene, path, solution); });
   timed(timers, "verify", [&] { findAnswers(comm, meshes, scene, solution); });

@@ -2,6 +2,7 @@
 #include <suture/report/Run.hpp>
 #include <suture/simulation/CutStage.hpp>
 #include <suture/simulation/LoadPath.hpp>
+#include <suture/simulation/MeanSupports.hpp>
 #include <suture/simulation/Phases.hpp>
 #include <suture/simulation/RunContext.hpp>
 #include <suture/simulation/Scene.hpp>
@@ -34,6 +35,7 @@ struct SceneParts {
   Constraints constraints;  ///< likewise
   CutMesh cut{};
   ProblemSize size{};
+  MeanSupports meanSupports{};       ///< in the meshes until the solution is verified
   std::unique_ptr<LoadPath> path{};  ///< null: neither load steps nor coupling
   /// Phases of a scene whose bodies are removed or placed on its path, with the scene of all bodies; null: there are none.
   std::shared_ptr<const PhasePlan> plan{};

@@ -83,13 +83,45 @@ PartitionedScene cut(MeshedScene meshed) {
   return result;
 }
 
+namespace {
+
+/// Refuses a scene without a solution, and finds auxiliary supports of bodies that mean displacements hold. Collective.
+MeanSupports supportsOf(const SceneParts& parts, MeanSupports::Where where) {
+  MeanSupports supports =
+      MeanSupports::find(parts.run.comm(), parts.mesh, parts.constraints, parts.scene.model, parts.cut.partition.bodiesAreConnected, where);
+  requireOneStep(parts.scene, supports);
+  return supports;
+}
+
+/// Finds the amounts of controlled loads, and holds the nodes of auxiliary supports accordingly. Collective.
+void findAmounts(SceneParts& parts) {
+  const auto control = [&] {
+    return controlLoads(parts.run.commPtr(), parts.scene, parts.meanSupports, parts.cut.meshes, parts.run.monitor());
+  };
+  Vector held;
+  try {
+    held = control();
+  } catch (const Error&) {
+    // At the solution contact may no longer hold a body, as where a mean displacement lifts it.
+    const bool mayHelp = parts.isWhole && parts.meanSupports.empty() && parts.scene.steps.empty();
+    if (mayHelp) parts.meanSupports = supportsOf(parts, MeanSupports::Where::Everywhere);
+    if (parts.meanSupports.empty() || !mayHelp) throw;
+    held = control();
+  }
+  if (parts.meanSupports.empty()) return;
+  parts.meanSupports.addTo(parts.cut.meshes, held);
+  collectivelyOnRoot(parts.run.comm(), "adding supports", [&] { parts.meanSupports.addTo(parts.constraints, held); });
+}
+
+}  // namespace
+
 CheckedScene check(PartitionedScene partitioned) {
   SceneParts& parts = *partitioned.parts_;
   const Comm& comm = parts.run.comm();
   const Scene& scene = parts.scene;
   timed(parts.run.timers(), "partition", [&] {
     checkElements(comm, parts.cut.meshes, scene.model);
-    if (parts.isWhole) checkSolvability(comm, parts.mesh, parts.constraints, scene.model, parts.cut.partition);
+    if (parts.isWhole) parts.meanSupports = supportsOf(parts, MeanSupports::Where::Needed);
   });
   OverlapNotes overlaps = timed(parts.run.timers(), "partition", [&] { return OverlapNotes(comm, parts.cut.meshes, scene); });
   locateProbes(comm, parts.cut.meshes, scene.model.bodies, readProbes(scene.settings(), scene.model.bodies));
@@ -109,8 +141,7 @@ void PreparedScene::prepareMethod() {
   SceneParts& parts = *parts_;
   Scene& scene = parts.scene;
   Timers& timers = parts.run.timers();
-  if (hasControlledLoads(scene))
-    timed(timers, "control", [&] { controlLoads(parts.run.commPtr(), scene, parts.cut.meshes, parts.run.monitor()); });
+  if (hasControlledLoads(scene)) timed(timers, "control", [&] { findAmounts(parts); });
   if (!parts.path)
     parts.liftWork = timed(timers, "partition", [&] {
       return takeOutLift(parts.run.comm(), scene.model, parts.cut.meshes, parts.constraints, !scene.laws.restrictSliding());

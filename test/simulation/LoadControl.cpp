@@ -4,6 +4,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
+#include <suture/pairs/FrictionLaws.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/Simulation.hpp>
 
@@ -61,7 +62,16 @@ TEUCHOS_UNIT_TEST(LoadControl, LeavesTheTargetToTheVerdict) {
 }
 
 TEUCHOS_UNIT_TEST(LoadControl, ReportsATargetThatNothingReaches) {
-  Simulation simulation(blocks::world(), pulledBar(Load::meanDisplacement("bar_left", 0, 1e-3), {}));
+  ElasticModel model = modelOf({{"bar", 2e6}}, 0.25);
+  model.loads = {Load::meanDisplacement("bar_left", 0, 1e-3)};
+  Scene scene = makeScene(
+      model,
+      [] {
+        return boxes({{"bar", 0, 2, 0, 1, 8, 4}});
+      },
+      {Condition::displacement("bar_bottom", {0}, {1})}, {Contact::with(Obstacle::line({0, 0, 0}, {1, 0, 0}), "bar_left")}, settingsOf({}));
+  scene.laws = ContactLaws({std::make_shared<NoSeparation>()});  // holds the group
+  Simulation simulation(blocks::world(), scene);
   std::string text;
   try {
     simulation.solve();

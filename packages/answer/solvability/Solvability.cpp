@@ -23,8 +23,7 @@ constexpr double noMotion = 1e-8;  // relative to a unit amplitude
 // Largest change of a gap, relative to the amplitude of the motion, that counts as zero: a round body that turns in its seat changes gaps
 // by the inaccuracy of mesh coordinates (normals of nodes that Gmsh puts on circles are accurate to 1e-8).
 constexpr double noOpening = 1e-6;
-constexpr double kBalanced = 1e-9;    // imbalance of pads, relative to the loads, at which they prove that contact holds all bodies
-constexpr double kUnbalanced = 1e-4;  // least remainder, relative to the loads, that is no error of rigid pads (PadModel)
+constexpr double kBalanced = 1e-9;  // imbalance of pads, relative to the loads, at which they prove that contact holds all bodies
 
 // The simplest motion in a space of amplitudes (orthonormal columns): a translation if there is one, along an axis if possible.
 std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
@@ -117,8 +116,30 @@ SparseRows contactRows(const Mesh& mesh, const Constraints& constraints, const C
   return rows;
 }
 
-/// Motions that keep all gaps: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed, except from rows of many
-/// bodies, which must stay sparse.
+/// Appends the forces of prescribed means to the rows: each in both senses.
+void appendMeans(const Mesh& mesh, const std::vector<PrescribedMean>& means, const RigidParts& rigid, const Modes& modes,
+                 SparseRows& rows) {
+  if (means.empty()) return;
+  std::vector<Eigen::Triplet<double, int>> entries;
+  const int before = int(rows.rows());
+  for (std::size_t m = 0; m < means.size(); ++m)
+    for (const auto& [node, weight] : means[m].nodes) {
+      const int part = rigid.partOfNode[std::size_t(node)];
+      const RigidPart& r = rigid.parts[std::size_t(part)];
+      if (r.free.cols() == 0) continue;
+      const Vector effect = weight * (r.at(mesh.point(node), mesh.dimension).row(means[m].component) * r.free).transpose();
+      for (int k = 0; k < int(effect.size()); ++k)
+        for (const int sense : {0, 1})
+          entries.emplace_back(before + 2 * int(m) + sense, modes.first[std::size_t(part)] + k, sense == 0 ? effect[k] : -effect[k]);
+    }
+  for (int row = 0; row < before; ++row)
+    for (SparseRows::InnerIterator entry(rows, row); entry; ++entry) entries.emplace_back(row, int(entry.col()), entry.value());
+  rows.resize(before + 2 * Eigen::Index(means.size()), modes.count);
+  rows.setFromTriplets(entries.begin(), entries.end());
+}
+
+/// Motions that keep all gaps and means: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed, except from rows of
+/// many bodies, which must stay sparse.
 Matrix slidingMotions(SparseRows& rows) {
   if (rows.cols() > kMostDense) return sparseNullSpace(rows, noOpening);
   const SingularValues svd = singularValues(Matrix(rows));
@@ -152,7 +173,7 @@ Vector unbalancedWork(const SparseRows& rows, const Matrix& sliding, const Vecto
     return free;
   }
   const Vector rest = remainder();
-  return rest.norm() <= kUnbalanced * work.norm() ? free : Vector(rest + free);
+  return rest.norm() <= PadModel::kUnbalanced * work.norm() ? free : Vector(rest + free);
 }
 
 void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
@@ -217,14 +238,17 @@ class Refusals {
 
 }  // namespace
 
-void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid) {
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid,
+                      const std::vector<PrescribedMean>& means) {
   const int dimension = mesh.dimension, parts = int(rigid.parts.size());
   Problems problems;
   checkPrescribedPairs(mesh, constraints, problems);
 
-  std::vector<char> inContact(parts, 0);
+  std::vector<char> inContact(parts, 0), hasMean(parts, 0);
   for (const ContactPair& pair : constraints.pairs)
     for (const PairEnd& end : pair.ends) inContact[rigid.partOfNode[end.node]] = 1;
+  for (const PrescribedMean& mean : means)
+    for (const auto& entry : mean.nodes) hasMean[rigid.partOfNode[std::size_t(entry.first)]] = 1;
   Refusals refusals(problems);
   const auto name = [&](int part) { return mesh.bodies[rigid.parts[part].body]; };
 
@@ -233,7 +257,7 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     modes.first.push_back(modes.count);
     modes.count += int(rigid.parts[part].free.cols());
     const RigidPart& r = rigid.parts[part];
-    if (inContact[part] || r.free.cols() == 0) continue;
+    if (inContact[part] || hasMean[part] || r.free.cols() == 0) continue;
     refusals.add(name(part),
                  (r.free.cols() == r.free.rows()
                       ? std::string(" is not held: it has no prescribed displacement, no Elastic Support and no contact")
@@ -258,6 +282,7 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
   }
   const ContactForces generators = contactForces(mesh, constraints);
   SparseRows rows = contactRows(mesh, constraints, generators, rigid, modes);
+  appendMeans(mesh, means, rigid, modes, rows);
   const Matrix sliding = slidingMotions(rows);
   const double loads = force.sum();
   if (loads > 0) {
@@ -283,6 +308,12 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     if (r.free.cols() == 0) continue;
     const Matrix own = spanOf(sliding.middleRows(modes.first[part], r.free.cols()));
     if (own.cols() == 0) continue;
+    if (hasMean[part] && !inContact[part]) {
+      refusals.add(name(part), " can " + inWords(r, Matrix(r.free * own), dimension) +
+                                   ": it has no contact, and neither a prescribed displacement, an Elastic Support nor a Mean Displacement "
+                                   "prevents this motion. Prescribe that displacement, or the mean displacement of another group");
+      continue;
+    }
     refusals.add(name(part),
                  " can " + inWords(r, Matrix(r.free * own), dimension) +
                      " without opening its contacts: nothing holds it and no load pushes it, so that its place is not determined. "
@@ -292,7 +323,11 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
 }
 
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected) {
-  checkSolvability(mesh, constraints, nodalLoads(mesh, model), freeRigidMotions(mesh, constraints, bodiesAreConnected));
+  const std::vector<PrescribedMean> means = prescribedMeans(mesh, model);
+  Problems problems;
+  checkMeans(mesh, constraints, model, means, problems);
+  problems.throwIfAny();
+  checkSolvability(mesh, constraints, nodalLoads(mesh, model), freeRigidMotions(mesh, constraints, bodiesAreConnected), means);
 }
 
 }  // namespace suture

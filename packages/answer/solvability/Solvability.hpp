@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/answer/solvability/PrescribedMeans.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
@@ -14,6 +15,8 @@ namespace suture {
 ///   exist. This is a nonnegative least squares problem for p; its residual is the motion by which a body escapes.
 /// - Friction laws add forces: edges of their cones; tangential forces of any size if a bound without pressure exists (cohesion, Tresca:
 ///   the solver finds out whether it suffices); both signs if sides are tied or never separate.
+/// - A prescribed mean displacement adds a force of any size and either sign, with the weights of the mean; a motion that changes the mean
+///   is not free.
 /// - The solution is unique only if B z = 0 has no solution other than z = 0. A body with such a motion slides along its contacts: its
 ///   position is not determined. B z counts as zero up to the accuracy of mesh files: a round body turns in its round seat.
 /// - A motion with nonzero B z <= 0 that does no work (grazing contact; a body that rests on its seat without load) is allowed: solvers
@@ -24,10 +27,13 @@ namespace suture {
 /// depend on units.
 ///
 /// \param forces  nodal forces of the loads (nodalLoads): node-major, Cartesian
+/// \param means   mean displacements that count as supports
 /// \throws InputError  names each free body and its motion
-void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid);
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid,
+                      const std::vector<PrescribedMean>& means = {});
 
-/// The same, with loads and free motions computed from the model. \param bodiesAreConnected  as for freeRigidMotions()
+/// The same, with loads, means and free motions computed from the model. \param model  with resolved loads \param bodiesAreConnected  as
+/// for freeRigidMotions()
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected = false);
 
 }  // namespace suture
