@@ -10,6 +10,7 @@
 #include "support/Print.hpp"
 #include "support/Program.hpp"
 #include "support/SceneDataFile.hpp"
+#include "support/SceneDrawing.hpp"
 #include "support/SolveAgain.hpp"
 #include "support/SolveScene.hpp"
 #include "support/StopSignals.hpp"
@@ -31,6 +32,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   if (!options.sceneData.empty()) return writeSceneDataFile(*comm, scene, options);
   if (!options.check) run.writeInto(outputFolder(file));
   MeshedScene meshed = read(run, std::move(scene));
+  const SceneDrawing drawing(*comm, options, file, meshed.mesh());
   PartitionedScene partitioned = cut(std::move(meshed));
   sameMesh(*comm, options, partitioned);
   CheckedScene checked = check(std::move(partitioned));
@@ -38,7 +40,8 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   printSizes(*comm, prepared, options);
   prepared.remark();
   if (options.check) {
-    printChecked(*comm, prepared, options);
+    printChecked(*comm, prepared);
+    drawing.draw(consoleOf(*comm, options.quiet));
     monitor.countWarnings();
     return {};
   }

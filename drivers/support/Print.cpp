@@ -21,25 +21,11 @@ void printSizes(const Comm& comm, const PreparedScene& scene, const SolveOptions
   printHeader(*console, comm, scene.scene().file, scene.size());
 }
 
-namespace {
-
-/// suture_plot --scene with the same scene, overrides and plugins.
-std::string commandToDraw(const SolveOptions& options) {
-  std::vector<std::string> words{"suture_plot", "--scene", options.scene};
-  for (const std::string& assignment : options.overrides) words.insert(words.end(), {"--set", assignment});
-  for (const std::string& plugin : options.plugins) words.insert(words.end(), {"--plugin", plugin});
-  return shellCommand(words);
-}
-
-}  // namespace
-
-void printChecked(const Comm& comm, const PreparedScene& scene, const SolveOptions& options) {
+void printChecked(const Comm& comm, const PreparedScene& scene) {
   std::ostream* console = consoleOf(comm, false);
   if (!console) return;
   *console << "   about " << grouped(static_cast<long>(std::ceil(scene.megabytes()))) << " MB of memory for a run\n"
-           << "   no errors found; not solved (--check)\n";
-  if (!options.quiet) *console << "   to draw it: " << commandToDraw(options) << "\n";
-  *console << std::flush;
+           << "   no errors found; not solved (--check)" << std::endl;
 }
 
 void printFailure(const Comm& comm, const JudgedScene& scene, const SolveOptions& options) {

@@ -11,8 +11,8 @@ RunResult printDefaults(const Comm& comm, const SceneFile& file);
 /// Prints the header of the console; with --check even if --quiet is set, because the sizes are the result.
 void printSizes(const Comm& comm, const PreparedScene& scene, const SolveOptions& options);
 
-/// --check: prints the estimated memory of a run, that no errors were found, and the command that draws the scene.
-void printChecked(const Comm& comm, const PreparedScene& scene, const SolveOptions& options);
+/// --check: prints the estimated memory of a run, and that no errors were found.
+void printChecked(const Comm& comm, const PreparedScene& scene);
 
 /// With --quiet, prints why a run failed; otherwise only the exit code would show it.
 void printFailure(const Comm& comm, const JudgedScene& scene, const SolveOptions& options);

@@ -12,6 +12,7 @@ namespace suture {
 std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
   commandLine.assign(argv, argv + argc);
   std::string output, watched;
+  bool noDrawing = false;
   const auto describe = [&](CLI::App& app) {
     CLI::Option* file = app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->type_name("FILE");
     CLI::Option* set = addSetOption(app, overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"");
@@ -20,7 +21,10 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
     CLI::Option* from = app.add_option("--restart", restart,
                                        "Start from the checkpoint.h5 of a run on the same mesh: an unfinished run, or an earlier load step")
                             ->type_name("FILE");
-    CLI::Option* look = app.add_flag("--check", check, "Read the scene, partition the mesh, and print sizes and memory without solving");
+    CLI::Option* look = app.add_flag(
+        "--check", check, "Read the scene, partition the mesh, print sizes and memory, and draw loads and supports, without solving");
+    app.add_flag("--no-drawing", noDrawing, "With --check: do not draw the scene (suture_plot draws it, into the output folder)")
+        ->needs(look);
     CLI::Option* draw = app.add_option("--scene-data", sceneData,
                                        "Read scene and mesh, write the data of their drawing to FILE (VTKHDF), and stop; "
                                        "'suture_plot --scene SCENE' does this and draws it")
@@ -57,6 +61,7 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
       parseCommandLine(argc, argv, "suture_solve",
                        "Solves a scene: equilibrium of elastic bodies in unilateral contact, by domain decomposition.", describe);
   if (!end && !watched.empty()) return watch(watched);
+  drawing = !noDrawing;
   if (!output.empty()) overrides.push_back("Output/Folder=" + output);
   return end;
 }

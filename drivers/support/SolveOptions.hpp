@@ -16,6 +16,7 @@ struct SolveOptions {
   std::vector<std::string> plugins;
   std::string sceneData;  ///< file for the data of a drawing, or empty
   bool check = false, printDefaults = false, quiet = false, verbose = false, strict = false;
+  bool drawing = true;                   ///< --check draws the scene, unless `quiet`
   std::vector<std::string> commandLine;  ///< as given, for provenance
 
   std::optional<RunRecord> record;  ///< the run to repeat

@@ -8,6 +8,7 @@
 #include <suture/reader/cad/CadFile.hpp>
 #include <suture/reader/cad/SideDescriptions.hpp>
 #include <suture/reader/gmsh/GmshReader.hpp>
+#include <suture/reader/gmsh/MeshCache.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_Comm.hpp>
@@ -185,6 +186,10 @@ Schema meshSchema() {
       .real("Time Limit", 600.0,
             "time limit of Gmsh for a .geo or CAD file; the statements of a .geo file, read before it is meshed, may take a tenth of it",
             Range::positive(), "s")
+      .boolean(
+          "Cache", true,
+          "keep the mesh of a .geo or CAD file for later runs of the same geometry, in the folder SUTURE_MESH_CACHE of the environment "
+          "(off: no folder), by default ~/.cache/suture/meshes; at most 512 MB")
       .real("Mesh Size Factor", 1.0, "multiplies all mesh sizes of a .geo or CAD file", Range::positive())
       .real(
           "Size", std::nullopt,
@@ -238,6 +243,7 @@ Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folde
     input.order = source.order;
     input.largest = source.largest;
     input.unit = source.unit;
+    if (mesh.get<bool>("Cache")) input.cache = meshCacheFolder();
     made = readGmsh(input, &descriptions);
   });
   return made;

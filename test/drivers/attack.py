@@ -26,6 +26,7 @@ parser.add_argument("--first", type=int, default=0)
 parser.add_argument("--both", action="store_true")
 parser.add_argument("--keep", action="store_true")
 options = arguments("--solve", "--partition", "--input", parser=parser)
+os.environ["SUTURE_MESH_CACHE"] = "off"  # damaged geometries occur once
 work = options.work
 INPUT = pathlib.Path(options.input).resolve()
 ALLOWED = {0, 2, 3, 4, 5, 75}

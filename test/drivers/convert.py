@@ -180,7 +180,7 @@ def checked(mesh):
     """Suture reads the file: exit code of --check and the first words of its output."""
     scene = work / (mesh.name + ".xml")
     scene.write_text(SCENE.replace("MESH", mesh.name))
-    code, text = run(options.solve, 1, scene, "--check")
+    code, text = run(options.solve, 1, scene, "--check", "--no-drawing")
     return code if code == 0 else text
 
 

@@ -7,6 +7,7 @@
     finish()
 """
 import argparse
+import functools
 import os
 import pathlib
 import runpy
@@ -50,8 +51,20 @@ def run(program, ranks, *words, timeout=120):
     return done.returncode, done.stdout + done.stderr
 
 
+@functools.cache
+def load_modules(program):
+    """Imports the modules of a Python program into this process."""
+    path = list(sys.path)
+    try:
+        runpy.run_path(str(program), run_name="imported")
+    except SystemExit:
+        pass  # a module is missing: the program itself reports it
+    sys.path[:] = path
+
+
 def forked(program, *words):
     """Exit code and output of a Python program, run in a fork of this process to reuse its imports."""
+    load_modules(program)
     with tempfile.TemporaryFile("w+") as output:
         child = os.fork()
         if child == 0:

@@ -22,7 +22,7 @@ CELLS = {"Triangle3": 260, "Triangle6": 130, "Quadrilateral4": 260, "Quadrilater
 
 def compare(name, scene, words, ranks, low, high):
     words = [*words, "--output", options.work / name]
-    code, text = run(options.solve, ranks, scene, *words, "--check")
+    code, text = run(options.solve, ranks, scene, *words, "--check", "--no-drawing")
     found = re.search(r"about ([\d,]+) MB of memory", text)
     check(f"{name}, np{ranks}: --check says how much", (code, found is not None), (0, True))
     code, _ = run(options.solve, ranks, scene, *words, "--quiet")

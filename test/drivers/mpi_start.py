@@ -27,7 +27,7 @@ def seen(name, words, **environment):
 
 
 SET, UNSET = "pml=ob1 isolated=1 folders=0", "pml=- isolated=- folders=-"
-WAYS = {"program": ["env", "LD_PRELOAD=" + options.probe, options.solve, str(SCENE), "--check"]}
+WAYS = {"program": ["env", "LD_PRELOAD=" + options.probe, options.solve, str(SCENE), "--check", "--no-drawing"]}
 if options.python:
     WAYS["python"] = ["env", "LD_PRELOAD=" + options.probe, "/usr/bin/python3", "-B", "-c", "import suture; from mpi4py import MPI; assert MPI.COMM_WORLD.size > 0"]
 for way, words in WAYS.items():

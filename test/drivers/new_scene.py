@@ -287,6 +287,6 @@ check("a geometry that is not there is refused", (code, "no.geo" in text, path.e
 code, text, path = new(INPUT / "pin" / "pin.geo", "--constant", "clearnace=.1", scene="typo.xml")
 check("a constant that is not there is refused with the nearest", (code, "clearance" in text, path.exists()), (3, True, False))
 code, text, path = new(INPUT / "pin" / "pin.geo", "--constant", "clearance=.05", scene="wide.xml")
-code, text = run(options.solve, 1, path, "--check", "--output", options.work / "wide")
+code, text = run(options.solve, 1, path, "--check", "--no-drawing", "--output", options.work / "wide")
 check("constants are in the scene", (code, 'name="clearance"' in path.read_text()), (0, True))
 finish()

@@ -73,7 +73,7 @@ for cells, ranks in ((("Hexahedron8", "Tetrahedron10"), 2), (("Tetrahedron4", "H
 # sides enclose a slightly smaller area than the circle.)
 COARSE = setting("Mesh/Constants/resolution", 2)
 METIS = setting("Partition/Type", "METIS") + setting("Partition/METIS/Subdomains", 5)
-code, text = run(options.solve, 1, BALLS, "--check", *COARSE)
+code, text = run(options.solve, 1, BALLS, "--check", "--no-drawing", *COARSE)
 check("balls drawn to touch do not overlap", (code, "interference" in text), (0, False))
 whole = solve("balls", 2, BALLS, *COARSE, *METIS)
 scene = cut("balls_cut", 2, BALLS, *COARSE, *METIS)

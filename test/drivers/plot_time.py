@@ -9,7 +9,7 @@ from pathlib import Path
 
 from harness import arguments, check, finish, run
 
-NOISE = 1.35  # on a machine that does other work
+NOISE = 1.2  # on a machine that does other work; measured without it: .9 in 2D
 SCENES = {"tunnel": ["--set", "Mesh/Mesh Size Factor=0.31"],
           "press": ["--set", "Mesh/Boxes/lower/Cells={31, 31, 16}", "--set", "Mesh/Boxes/upper/Cells={31, 31, 16}"]}
 options = arguments("--solve", "--plot", "--input")

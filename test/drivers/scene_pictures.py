@@ -3,10 +3,14 @@
 
     scene_pictures.py --solve suture_solve --plot suture_plot --input DIR --work DIR --mpirun "..."
 """
+import os
+import shutil
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
-from harness import arguments, check, finish, run
+from harness import SLOWER, arguments, check, finish, run
 
 options = arguments("--solve", "--plot", "--input")
 sys.path.insert(0, str(Path(options.plot).resolve().parent))
@@ -86,11 +90,9 @@ def surfaces():
 
 
 def command():
-    """The command: default folder, --set, errors, and what --check prints."""
+    """The command: default folder, --set, errors."""
     scene = options.work / "part.xml"
     scene.write_text((SCENES / "two_blocks" / "two_blocks.xml").read_text())
-    code, said = run(options.solve, 1, scene, "--check", "--set", "Output/Error Estimate=true")
-    check("--check prints the command", (code, f"to draw it: suture_plot --scene {scene} --set 'Output/Error Estimate=true'" in said), (0, True))
     out = options.work / "drawn"
     code, said = run(options.plot, 1, "--scene", scene, "--output", out, "--set", "Title=Changed title")
     check("suture_plot --scene", (code, sorted(path.name for path in out.iterdir())), (0, ["groups.png", "scene.png"]))
@@ -105,6 +107,48 @@ def command():
     code, said = run(options.plot, 1, "--scene", data("bracket", 1), "--output", options.work / "from_data")
     check("a data file, and names without use", (code, (options.work / "from_data" / "scene.png").is_file(), unused(SceneData(data("tunnel", 1)))),
           (0, True, ["tunnel_wall"]))
+
+
+def drawn_by_check():
+    """--check makes the pictures of suture_plot --scene, on any number of ranks; no failure of the drawing is one of the check."""
+    scene, words = options.work / "checked.xml", ["--set", "Title=Changed title"]
+    scene.write_text((SCENES / "two_blocks" / "two_blocks.xml").read_text())
+    expected = options.work / "by_plot"
+    check("suture_plot --scene", run(options.plot, 1, "--scene", scene, "--output", expected, *words)[0], 0)
+    temporary = set(Path(tempfile.gettempdir()).glob("suture_check.*"))
+    for ranks in (1, 4):
+        out = options.work / f"by_check_{ranks}"
+        code, said = run(options.solve, ranks, scene, "--check", "--output", out, *words)
+        check(f"--check on {ranks}", (code, f"drawn: {out}/scene.png  {out}/groups.png" in said, sorted(path.name for path in out.iterdir())),
+              (0, True, ["groups.png", "scene.png"]))
+        check(f"--check on {ranks}: the same pictures", [name for name in ("scene.png", "groups.png") if
+                                                         (out / name).read_bytes() != (expected / name).read_bytes()], [])
+    out = options.work / "not_drawn"
+    given = ["--check", "--output", out, *words]
+    to_draw = f"to draw it: suture_plot --scene {scene} --set 'Title=Changed title' --set Output/Folder={out}"
+    code, said = run(options.solve, 1, scene, *given, "--no-drawing")
+    check("--no-drawing", (code, to_draw in said, out.exists()), (0, True, False))
+    code, said = run(options.solve, 1, scene, *given, "--quiet")
+    check("--quiet: no drawing", (code, "draw" in said, out.exists()), (0, False, False))
+    code, said = run(options.solve, 1, scene, "--output", out, "--no-drawing")
+    check("--no-drawing needs --check", (code, "--check" in said), (2, True))
+    code, said = run(options.solve, 1, scene, *given, "--set", "Contact/joint/Side A=uper")
+    check("a scene with errors is not drawn", (code, out.exists()), (3, False))
+    # A copy of suture_solve without suture_plot beside it, then with programs that fail.
+    alone = options.work / "alone"
+    alone.mkdir()
+    copy = shutil.copy(options.solve, alone)
+    path = {**os.environ, "PATH": str(alone)}
+    for name, script, reason in (("no program", None, "not drawn: suture_plot is neither beside suture_solve nor on the PATH"),
+                                 ("a reason", "#!/bin/sh\necho 'suture_plot: modules are missing' >&2; exit 5\n", "not drawn: modules are missing"),
+                                 ("a signal", "#!/bin/sh\nkill -9 $$\n", "not drawn: suture_plot did not run"),
+                                 ("not a program", "#!/none\n", "not drawn: suture_plot did not run")):
+        if script:
+            (alone / "suture_plot").write_text(script)
+            (alone / "suture_plot").chmod(0o755)
+        done = subprocess.run([copy, str(scene), *map(str, given)], capture_output=True, text=True, env=path, timeout=60 * SLOWER)
+        check(f"drawing fails, {name}", (done.returncode, reason in done.stdout, to_draw in done.stdout, done.stderr), (0, True, True, ""))
+    check("no temporary files are left", set(Path(tempfile.gettempdir()).glob("suture_check.*")) - temporary, set())
 
 
 def square(low, high, n=8):
@@ -153,6 +197,6 @@ def factors():
     check("no factor; unknown factor", (factor_at(scene, "none", 0.3), factor_at(scene, "other", 0.3)), (1.0, None))
 
 
-for part in (plane_and_space, ranks, surfaces, command, enlargement, factors):
+for part in (plane_and_space, ranks, surfaces, command, drawn_by_check, enlargement, factors):
     part()
 finish()

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from PIL import Image
 
 from harness import arguments, check, finish
 
@@ -15,6 +16,8 @@ sys.path.insert(0, str(Path(options.plot).resolve().parent))
 
 import space_scenes  # noqa: E402
 from space_samples import Part, ball, brick, write_run  # noqa: E402
+from suture_plot_parts.labels import Cloud, Rectangle  # noqa: E402
+from suture_plot_parts.png import write_png  # noqa: E402
 from suture_plot_parts.run import RunFolder  # noqa: E402
 from suture_plot_parts.space.cells import CELLS, FACES  # noqa: E402
 from suture_plot_parts.space.contact_surface import Chart, contact_surfaces  # noqa: E402
@@ -248,6 +251,34 @@ def centres():
                 check(f"cells {kind}: value in the middle of a face", found - function(own[:, :4].mean(axis=1)), near(0.0))
 
 
-for part in (centres, outside, groups, projection, rasteriser, colours, cuts, contacts):
+def image_files():
+    """Another program reads the same picture; the odd width leaves no multiple of four bytes in a row."""
+    random = np.random.default_rng(1)
+    drawn = np.repeat(random.integers(0, 256, (31, 19, 4), dtype=np.uint8), 3, axis=1)
+    for name, rows in (("whole", slice(None)), ("part", slice(3, 20))):
+        path = write_png(options.work / f"{name}.png", drawn[rows, 5:50, :3], 170)
+        with Image.open(path) as read:
+            check(f"png {name}: pixels", read.mode == "RGB" and np.array_equal(np.array(read), drawn[rows, 5:50, :3]), True)
+            check(f"png {name}: pixels per inch", read.info["dpi"], near((170.0, 170.0), 0.02))
+
+
+def points_in_boxes():
+    random = np.random.default_rng(2)
+    cloud, points = Cloud(), np.zeros((0, 2))
+    check("no points", (cloud.count(Rectangle(0, 0, 1, 1)), len(cloud)), (0, 0))
+    for count in (1, 200, 30):
+        added = np.round(random.random((count, 2)), 1)  # many on the edges of boxes
+        cloud.add(added)
+        points = np.vstack([points, added])
+        for _ in range(50):
+            (x0, x1), (y0, y1) = np.round(np.sort(random.random((2, 2)), axis=1), 1)
+            expected = points[(points[:, 0] > x0) & (points[:, 0] < x1) & (points[:, 1] > y0) & (points[:, 1] < y1)]
+            box = Rectangle(x0, y0, x1, y1)
+            if cloud.count(box) != len(expected) or sorted(map(tuple, cloud.inside(box))) != sorted(map(tuple, expected)):
+                check(f"points in a box of {len(points)}", (x0, y0, x1, y1), "the same points as by comparing all")
+    check("points in all boxes", len(cloud), 231)
+
+
+for part in (image_files, points_in_boxes, centres, outside, groups, projection, rasteriser, colours, cuts, contacts):
     part()
 finish()

@@ -32,7 +32,7 @@ mesh = options.work / "triangle.inp"
 mesh.write_text("*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n*ELEMENT, TYPE=CPS3, ELSET=a\n1, 1, 2, 3\n")
 CASES = {
     "solve": (options.solve, SCENE, "--output", options.work / "out"),
-    "check": (options.solve, SCENE, "--check"),
+    "check": (options.solve, SCENE, "--check", "--no-drawing"),
     "defaults": (options.solve, SCENE, "--print-defaults"),
     "help": (options.solve, "--help"),
     "version": (options.solve, "--version"),

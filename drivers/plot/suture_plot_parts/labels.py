@@ -1,5 +1,6 @@
 """Places labels in a plot where they cover nothing important."""
 import math
+from bisect import bisect_left, bisect_right
 
 import matplotlib
 import numpy as np
@@ -7,6 +8,7 @@ from matplotlib.transforms import Bbox
 
 DISTANCES = (9, 16, 26, 40, 60, 85, 115, 150, 200)  # points from the anchor to the nearest edge of its label
 ANGLES = np.radians(np.arange(0, 360, 15))
+DIRECTIONS = np.column_stack([np.cos(ANGLES), np.sin(ANGLES)])
 # Costs. Avoiding a covered label or mark is worth (nearly) any distance; avoiding covered material is not.
 COVERED_LABEL = OUTSIDE = 5000.0
 COVERED_MARK = CROSSED_LABEL = 1500.0
@@ -34,6 +36,32 @@ def around(centre, half):
     return Rectangle(centre[0] - half[0], centre[1] - half[1], centre[0] + half[0], centre[1] + half[1])
 
 
+class Cloud:
+    """Points in pixels, sorted by x, so that those in a box are found without comparing all."""
+
+    def __init__(self):
+        self.points, self._x = np.zeros((0, 2)), []
+
+    def __len__(self):
+        return len(self._x)
+
+    def add(self, points):
+        together = np.vstack([self.points, points])
+        self.points = together[np.argsort(together[:, 0], kind="stable")]
+        self._x = self.points[:, 0].tolist()
+
+    def inside(self, box):
+        near = self.points[bisect_right(self._x, box.x0):bisect_left(self._x, box.x1)]
+        return near[(near[:, 1] > box.y0) & (near[:, 1] < box.y1)]
+
+    def count(self, box):
+        first, end = bisect_right(self._x, box.x0), bisect_left(self._x, box.x1)
+        if first >= end:
+            return 0
+        y = self.points[first:end, 1]
+        return np.count_nonzero((y > box.y0) & (y < box.y1))
+
+
 def area(box):
     return (box.x1 - box.x0) * (box.y1 - box.y0)
 
@@ -49,9 +77,7 @@ class LabelPlacer:
     def __init__(self, figure, axes):
         self.figure, self.axes, self.taken = figure, axes, []
         self.left_out = []  # labels without a position
-        self.marks = np.zeros((0, 2))
-        self.lines = np.zeros((0, 2))
-        self.material = np.zeros((0, 2))
+        self.marks, self.lines, self.material = Cloud(), Cloud(), Cloud()
         if figure.get_layout_engine() is not None:
             figure.draw_without_rendering()
             figure.set_layout_engine("none")
@@ -67,7 +93,7 @@ class LabelPlacer:
         self.frame = Rectangle(frame.x0 + 2, frame.y0 + 2, frame.x1 - 2, max(axes.title.get_window_extent(self.renderer).y0, frame.y1) - 2)
 
     def keep_visible(self, points):
-        self.marks = np.vstack([self.marks, self._inside(points)])
+        self.marks.add(self._inside(points))
 
     def keep_visible_lines(self, segments):
         """`segments`: n x 2 points x 2; sampled densely, so that no label fits between two samples."""
@@ -75,10 +101,10 @@ class LabelPlacer:
 
     def keep_off(self, segments):
         """Lines that leaders may cross, but labels may not cover."""
-        self.lines = np.vstack([self.lines, self._inside(sampled(np.asarray(segments), self._data_length(5.0)))])
+        self.lines.add(self._inside(sampled(np.asarray(segments), self._data_length(5.0))))
 
     def prefer_outside(self, points):
-        self.material = np.vstack([self.material, self._inside(points)])
+        self.material.add(self._inside(points))
 
     def place(self, label, anchors, toward=None, least=0.0, centred=False, must=False, **style):
         """Annotates one of `anchors` (data coordinates), best first, with a line to it. Returns None and leaves the label out if it would
@@ -95,18 +121,16 @@ class LabelPlacer:
         size = own_extent(artist, self.renderer)
         width, height = size.width + 6, size.height + 4
         best, half = None, (0.5 * width, 0.5 * height)
+        offsets, distances = self._offsets(width, height, centred, least)
         for rank, anchor in enumerate(anchors):
             at = self.axes.transData.transform(anchor)
-            for offset, distance in self._offsets(width, height, centred):
-                if distance < least:
-                    continue
-                cost = FAR * distance + 6 * rank
-                if toward is not None and np.dot(offset, toward[rank]) < 0.35 * np.hypot(*offset):
-                    cost += WRONG_SIDE
+            costs = FAR * distances + 6 * rank
+            if toward is not None:
+                costs += WRONG_SIDE * (offsets @ np.asarray(toward[rank]) < 0.35 * np.hypot(*offsets.T))
+            for offset, distance, cost in zip(offsets, distances.tolist(), costs.tolist()):
                 if best and cost >= best[0]:
                     continue
-                centre = at + offset
-                box = around(centre, half)
+                box = around(at + offset, half)
                 cost += self._cost(box, at if distance > 0 else None, not centred, best[0] - cost if best else math.inf)
                 if best is None or cost < best[0]:
                     best = (cost, anchor, offset, box)
@@ -118,7 +142,7 @@ class LabelPlacer:
         artist.set_position(tuple(best[2] / self.points))
         self.taken.append(best[3])
         at = self.axes.transData.transform(best[1])
-        self.marks = np.vstack([self.marks, np.linspace(at, at + best[2], 12)[1:9]])
+        self.marks.add(np.linspace(at, at + best[2], 12)[1:9])
         return artist
 
     def place_within(self, label, cells, **style):
@@ -145,17 +169,17 @@ class LabelPlacer:
 
     def _hides(self, box):
         return overlap(box, self.frame) < (1 - 1e-9) * area(box) or any(overlap(box, other) > 0 for other in self.taken) or \
-            bool(within(box, self.marks).any())
+            self.marks.count(box) > 0
 
-    def _offsets(self, width, height, centred):
-        if centred:
-            yield np.zeros(2), 0.0
-        for distance in DISTANCES:
-            for angle in ANGLES:
-                direction = np.array([math.cos(angle), math.sin(angle)])
-                # From the anchor to the label's centre, such that its edge is at the distance.
-                reach = min(0.5 * width / max(abs(direction[0]), 1e-9), 0.5 * height / max(abs(direction[1]), 1e-9))
-                yield direction * (distance * self.points + reach), distance
+    def _offsets(self, width, height, centred, least):
+        """(offsets, distances) of a label's centre from the anchor, such that its edge is at the distance, the nearest first."""
+        reach = np.minimum(0.5 * width / np.maximum(np.abs(DIRECTIONS[:, 0]), 1e-9), 0.5 * height / np.maximum(np.abs(DIRECTIONS[:, 1]), 1e-9))
+        distances = np.repeat([float(distance) for distance in DISTANCES if distance >= least], len(DIRECTIONS))
+        offsets = np.tile(DIRECTIONS, (len(distances) // len(DIRECTIONS), 1))
+        offsets = offsets * (distances * self.points + np.tile(reach, len(distances) // len(DIRECTIONS)))[:, None]
+        if not centred or least > 0:
+            return offsets, distances
+        return np.vstack([[0.0, 0.0], offsets]), np.concatenate([[0.0], distances])
 
     def _covered(self, box):
         """Number of labels that the box covers."""
@@ -168,19 +192,19 @@ class LabelPlacer:
         cost = OUTSIDE * (outside if outside > 1e-9 else 0.0) + COVERED_LABEL * self._covered(box)
         if cost >= limit:
             return cost
-        cost += COVERED_MARK * min(np.count_nonzero(within(box, self.marks)), 10)
-        cost += COVERED_LINE * min(np.count_nonzero(within(box, self.lines)), 10)
+        cost += COVERED_MARK * min(self.marks.count(box), 10)
+        cost += COVERED_LINE * min(self.lines.count(box), 10)
         if material:
-            cost += COVERED_MATERIAL * min(np.count_nonzero(within(box, self.material)), 4) / 4
+            cost += COVERED_MATERIAL * min(self.material.count(box), 4) / 4
         if cost >= limit or leader_from is None:
             return cost
         centre = np.array([0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)])
         way = np.linspace(leader_from, centre, 40)[2:]
-        cost += CROSSED_LABEL * sum(bool(within(other, way).any()) for other in self.taken)
+        bounds = Rectangle(*way.min(axis=0), *way.max(axis=0))
+        cost += CROSSED_LABEL * sum(touch(other, bounds) and bool(within(other, way).any()) for other in self.taken)
         if cost >= limit or len(self.marks) == 0:
             return cost
-        bounds = Rectangle(*way.min(axis=0), *way.max(axis=0)).padded(3)
-        near = self.marks[within(bounds, self.marks)]
+        near = self.marks.inside(bounds.padded(3))
         near = near[np.hypot(*(near - leader_from).T) > 8]
         if len(near):
             crossed = np.hypot(near[:, None, 0] - way[None, :, 0], near[:, None, 1] - way[None, :, 1]).min(axis=1) < 3
@@ -206,6 +230,10 @@ def own_extent(artist, renderer):
 def overlap(a, b):
     width, height = min(a.x1, b.x1) - max(a.x0, b.x0), min(a.y1, b.y1) - max(a.y0, b.y0)
     return width * height if width > 0 and height > 0 else 0.0
+
+
+def touch(a, b):
+    return a.x0 <= b.x1 and a.x1 >= b.x0 and a.y0 <= b.y1 and a.y1 >= b.y0
 
 
 def within(box, points):

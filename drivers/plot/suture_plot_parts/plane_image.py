@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.collections import LineCollection
 
 from .samples import show
-from .space.image import coloured, picture
+from .space.image import colour_table, image_of_pixels, packed
 from .space.raster import Raster
 from .style import HIGHEST, MOST_EDGES, WIDEST, box_in_pixels
 
@@ -33,12 +33,14 @@ class PlaneImage:
 
     def colour(self, colours):
         """\\param colours  red, green, blue of each cell, or of all"""
-        show(self.axes, picture(self.raster, np.broadcast_to(np.asarray(colours, dtype=np.float32), (self.grid.count, 3))[self.cells[self.raster.shown]]))
+        pixels = packed(np.broadcast_to(np.asarray(colours, dtype=np.float32), (self.grid.count, 3)))
+        show(self.axes, image_of_pixels(self.raster, pixels[self.cells[self.raster.shown]]))
 
     def colour_by(self, values, nodal, low, high, colours):
         """\\param values  at the nodes, interpolated, or of the cells; without a value: grey"""
         found = self.raster.interpolate(values[self.triangles]) if nodal else values[self.cells[self.raster.shown]]
-        show(self.axes, picture(self.raster, coloured(found, low, high, colours)))
+        table, row = colour_table(found, low, high, colours)
+        show(self.axes, image_of_pixels(self.raster, packed(table)[row]))
 
     def edges(self, points, most=MOST_EDGES, **style):
         """The sides of all cells, unless there are more than `most` cells, whose sides would merge into an area. Not smoothed: files would be five times as large."""

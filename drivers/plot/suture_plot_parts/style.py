@@ -1,17 +1,17 @@
 """Colours, lines and the shape of figures, common to all plots."""
-import os
 from io import BytesIO
 
 from . import quick_start  # noqa: F401  before the other modules of matplotlib
 
 import matplotlib
 import numpy as np
-from PIL import Image
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.patheffects import withStroke
 from matplotlib.transforms import Bbox
+
+from .png import write_png
 
 # Okabe and Ito's palette, suitable for colour-blind readers.
 PALETTE = ["#E69F00", "#56B4E9", "#009E73", "#F0E442", "#0072B2", "#D55E00", "#CC79A7", "#000000"]
@@ -22,7 +22,6 @@ LOAD, SUPPORT = "#C2410C", "#00694D"
 PRESSURE_COLOUR, GAP_COLOUR = "#0072B2", "#D55E00"
 GREY = "#9a9a9a"
 MARGIN = 0.08  # inches around the content of a picture
-PNG_OPTIONS = {"compress_level": 1, "compress_type": 3}  # zlib's run lengths: a few percent larger than the default, in half of the time
 MOST_EDGES = 40000  # with more cells, the edges would merge into a black area
 WIDEST, HIGHEST = 10.0, 8.0  # inches
 
@@ -148,10 +147,7 @@ def save(figure, path):
     image = np.frombuffer(raw.getbuffer(), dtype=np.uint8).reshape(rows, columns, 4)
     drawn = image.view(np.uint32)[:, :, 0] != 0xFFFFFFFF
     (top, bottom), (left, right) = (edges(drawn.any(axis=axis), MARGIN * dpi) for axis in (1, 0))
-    partial = path.with_name(path.name + ".part")
-    Image.fromarray(np.ascontiguousarray(image[top:bottom, left:right, :3])).save(partial, format="png", dpi=(dpi, dpi), **PNG_OPTIONS)
-    os.replace(partial, path)
-    return path
+    return write_png(path, image[top:bottom, left:right, :3], dpi)
 
 
 def reach(figure):

@@ -90,8 +90,10 @@ class Checker {
  public:
   Checker(fs::path root, Problems& problems) : root_(std::move(root)), problems_(problems) {}
 
+  const std::vector<std::string>& files() const { return files_; }
+
   void check(const fs::path& file) {
-    if (!seen_.insert(file.string()).second) return;
+    if (!read(file)) return;
     std::vector<GeoToken> tokens;
     try {
       tokens = geoTokens(textOf(file), file.string());
@@ -111,6 +113,13 @@ class Checker {
   }
 
  private:
+  /// Adds a file to those that are read. \return false if it is among them
+  bool read(const fs::path& file) {
+    if (!seen_.insert(file.string()).second) return false;
+    files_.push_back(file.string());
+    return true;
+  }
+
   void refuse(const fs::path& file, const GeoToken& token, const std::string& why) {
     problems_.add(path, file.string() + ", line " + std::to_string(token.line) + ": '" + token.text + "' " + why);
   }
@@ -178,7 +187,9 @@ class Checker {
       refuse(file, token, "\"" + name.string() + "\" is outside the folder " + root_.string() + hint);
     } else if (!fs::is_regular_file(real, failed)) {
       refuse(file, token, "\"" + name.string() + "\": there is no such file");
-    } else if (cadFiles.count(name.extension().string()) == 0 && !beginsAsMsh(real.string())) {
+    } else if (cadFiles.count(name.extension().string()) > 0 || beginsAsMsh(real.string())) {
+      read(other);
+    } else {
       if (name.extension() != ".geo")
         refuse(file, token,
                "\"" + name.string() + "\" is neither a .geo file nor a mesh nor one of " + joinNames({cadFiles.begin(), cadFiles.end()}) +
@@ -191,6 +202,7 @@ class Checker {
   fs::path root_;
   Problems& problems_;
   std::set<std::string> seen_;
+  std::vector<std::string> files_;  // as in seen_, in the order of their first names
 };
 
 }  // namespace
@@ -252,9 +264,11 @@ std::vector<GeoToken> geoTokens(const std::string& text, const std::string& file
   return tokens;
 }
 
-void checkGeoStatements(const std::string& file, Problems& problems) {
+std::vector<std::string> checkGeoStatements(const std::string& file, Problems& problems) {
   const fs::path folder = fs::path(file).parent_path();
-  Checker(folder.empty() ? fs::path(".") : folder, problems).check(file);
+  Checker checker(folder.empty() ? fs::path(".") : folder, problems);
+  checker.check(file);
+  return checker.files();
 }
 
 bool beginsAsMsh(const std::string& file) {

@@ -24,7 +24,8 @@ std::vector<GeoToken> geoTokens(const std::string& text, const std::string& file
 /// unknown command. Other files (Include, Merge, ShapeFromFile) must be named by a literal text, lie in the folder of the .geo file or
 /// below, and be CAD files, meshes, or .geo files that pass the same check. Local.
 /// \param path  path of the .geo file; every finding is added to `problems` under "Mesh/File", with file and line
-void checkGeoStatements(const std::string& path, Problems& problems);
+/// \return the file and all files that it reads, in the order of their first names
+std::vector<std::string> checkGeoStatements(const std::string& path, Problems& problems);
 
 /// True if Gmsh reads the file as a mesh; Gmsh runs any other file as a .geo file, regardless of its name. Local.
 bool beginsAsMsh(const std::string& path);

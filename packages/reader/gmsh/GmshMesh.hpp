@@ -106,10 +106,11 @@ inline void sortByTag(std::vector<std::size_t>& tags, std::vector<double>& coord
 
 /// Messages of suture_mesher to its parent through its file descriptor 3: one letter, the length in eight bytes, and the text.
 enum class MesherMessage : char {
-  Opened = 'O',   ///< all statements, or all parts of a CAD file, are read; meshing begins
-  Failed = 'F',   ///< text: Gmsh's error message
-  Refused = 'R',  ///< text: why suture_mesher does not mesh the file
-  Mesh = 'M'      ///< a packed GmshMesh: success
+  Opened = 'O',    ///< all statements, or all parts of a CAD file, are read; meshing begins
+  Failed = 'F',    ///< text: Gmsh's error message
+  Refused = 'R',   ///< text: why suture_mesher does not mesh the file
+  Programs = 'P',  ///< the packed FileStamps of the program and its libraries; sent before Mesh
+  Mesh = 'M'       ///< a packed GmshMesh: success
 };
 
 }  // namespace suture

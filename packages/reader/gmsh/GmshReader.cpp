@@ -8,11 +8,14 @@
 #include <suture/reader/gmsh/GeoText.hpp>
 #include <suture/reader/gmsh/GmshAssembly.hpp>
 #include <suture/reader/gmsh/GmshReader.hpp>
+#include <suture/reader/gmsh/MeshCache.hpp>
+#include <suture/reader/gmsh/MeshKey.hpp>
 #include <suture/reader/gmsh/MesherProcess.hpp>
 #include <suture/reader/gmsh/MshReader.hpp>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace suture {
 
@@ -49,8 +52,20 @@ void checkLargest(const Mesh& mesh, const GmshInput& input) {
                                     "remove Size");
 }
 
-Mesh finish(const GmshInput& input, const MesherOrder& order, SideDescriptions* descriptions) {
-  GmshMesh made = runMesher(order);
+/// The mesh of `order` from the cache, or from Gmsh. \param files  all files that Gmsh reads
+GmshMesh cachedMesh(const GmshInput& input, const MesherOrder& order, const std::vector<std::string>& files) {
+  const MeshCache cache(input.cache);
+  const std::optional<std::string> key = cache.used() ? meshKey(order, input.constants, files) : std::nullopt;
+  if (!key) return runMesher(order);
+  if (std::optional<GmshMesh> found = cache.find(*key)) return std::move(*found);
+  std::vector<FileStamp> programs;
+  GmshMesh made = runMesher(order, &programs);
+  if (meshKey(order, input.constants, files) == key) cache.store(*key, programs, made);  // no file has changed meanwhile
+  return made;
+}
+
+Mesh finish(const GmshInput& input, const MesherOrder& order, const std::vector<std::string>& files, SideDescriptions* descriptions) {
+  GmshMesh made = cachedMesh(input, order, files);
   if (descriptions) *descriptions = made.descriptions;
   Mesh mesh = assembleGmsh(std::move(made), input.path);
   checkLargest(mesh, input);
@@ -72,12 +87,13 @@ MesherOrder orderOf(const GmshInput& input, const std::string& opened) {
 
 Mesh meshGeometry(const GmshInput& input) {
   Problems problems;
-  if (!input.allowPrograms) checkGeoStatements(input.path, problems);
+  std::vector<std::string> files;
+  if (!input.allowPrograms) files = checkGeoStatements(input.path, problems);
   problems.throwIfAny();  // constants are looked up only if the statements are sound
   checkConstants(input, problems);
   problems.throwIfAny();
   const GeoWrapper wrapper(input.path, input.constants);
-  return finish(input, orderOf(input, wrapper.path()), nullptr);
+  return finish(input, orderOf(input, wrapper.path()), files, nullptr);
 }
 
 Mesh meshCad(const GmshInput& input, SideDescriptions* descriptions) {
@@ -92,7 +108,7 @@ Mesh meshCad(const GmshInput& input, SideDescriptions* descriptions) {
                                                "(\"mm, N, MPa\"), or set Mesh/Length Unit to one of them");
     order.scale = 1 / millimetres;
   }
-  return finish(input, order, descriptions);
+  return finish(input, order, {input.path}, descriptions);
 }
 
 }  // namespace

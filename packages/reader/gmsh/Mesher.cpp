@@ -3,17 +3,20 @@
 //     suture_mesher FILE MESH_SIZE_FACTOR BYTES SECONDS ALLOW_PROGRAMS(0|1) ORDER(0|1|2) LARGEST_SIZE SCALE
 // ORDER 0: as the file says, for CAD 2. LARGEST_SIZE 0: none, in the unit of the mesh. SCALE: factor on the lengths of the file.
 #include <suture/base/Buffer.hpp>
+#include <suture/base/FileStamp.hpp>
 #include <suture/reader/cad/CadModel.hpp>
 #include <suture/reader/gmsh/GmshMesh.hpp>
 #include <suture/reader/gmsh/GmshTypes.hpp>
 
 #include <gmsh.h>
+#include <link.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 
@@ -97,6 +100,23 @@ GmshMesh readMesh() {
   readElements(mesh);
   readGroups(mesh);
   return mesh;
+}
+
+/// This program and all libraries that it has loaded: with the input, they determine the mesh.
+std::vector<FileStamp> loadedPrograms() {
+  std::error_code failed;
+  std::vector<FileStamp> all;
+  const auto add = [&all](const std::string& path) {
+    if (const std::optional<FileStamp> stamp = stampOf(path)) all.push_back(*stamp);
+  };
+  add(std::filesystem::read_symlink("/proc/self/exe", failed).string());
+  dl_iterate_phdr(
+      [](dl_phdr_info* library, std::size_t, void* to) {
+        if (library->dlpi_name && *library->dlpi_name == '/') (*static_cast<const decltype(add)*>(to))(library->dlpi_name);
+        return 0;
+      },
+      const_cast<void*>(static_cast<const void*>(&add)));
+  return all;
 }
 
 /// Text of the current exception; libgmsh 4.8 throws texts and numbers, later versions throw exceptions.
@@ -213,7 +233,9 @@ int main(int argc, char* argv[]) {
 
   GmshMesh mesh;
   if (!(cadFormat(order.file) == CadFormat::None ? meshGeo(order, mesh) : meshCad(order, mesh))) return 1;
-  Packer packer;
+  Packer programs, packer;
+  programs.put(loadedPrograms());
+  send(MesherMessage::Programs, programs.bytes());
   if (!good([&] { packer.put(mesh); })) return 1;
   send(MesherMessage::Mesh, packer.bytes());
   return 0;

@@ -205,7 +205,7 @@ void check(const GmshMesh& mesh, const std::string& file) {
 
 }  // namespace
 
-GmshMesh runMesher(const MesherOrder& order) {
+GmshMesh runMesher(const MesherOrder& order, std::vector<FileStamp>* programs) {
   const double megabytes = std::min(availableMegabytes(), 1e9);
   const std::vector<std::string> words = {mesherProgram(),
                                           order.opened,
@@ -235,6 +235,8 @@ GmshMesh runMesher(const MesherOrder& order) {
       throw InputError(kMeshFile, order.file + ": Gmsh reports: " + withOwnName(text, order));
     } else if (message == MesherMessage::Refused) {
       throw InputError(kMeshFile, order.file + ": " + text);
+    } else if (message == MesherMessage::Programs) {
+      if (programs) *programs = Unpacker(std::move(text)).get<std::vector<FileStamp>>();
     } else if (message == MesherMessage::Mesh) {
       GmshMesh mesh = Unpacker(std::move(text)).get<GmshMesh>();
       check(mesh, order.file);

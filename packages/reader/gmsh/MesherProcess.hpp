@@ -1,7 +1,9 @@
 #pragma once
+#include <suture/base/FileStamp.hpp>
 #include <suture/reader/gmsh/GmshMesh.hpp>
 
 #include <string>
+#include <vector>
 
 namespace suture {
 
@@ -19,8 +21,9 @@ struct MesherOrder {
 
 /// Runs Gmsh in a separate process, suture_mesher (folder `suture` next to the library), with limits of time and memory, and reads the mesh
 /// from a pipe. A process that ends without a mesh and without a message is an error. Local.
+/// \param programs  if not null: the program and the libraries that it has loaded
 /// \throws InputError        Gmsh's error message; a CAD file without a closed solid; a crash, an end without a result, or the time limit
 /// \throws EnvironmentError  the program is missing or cannot be started; Suture was built without Gmsh (SUTURE_GMSH=OFF)
-GmshMesh runMesher(const MesherOrder& order);
+GmshMesh runMesher(const MesherOrder& order, std::vector<FileStamp>* programs = nullptr);
 
 }  // namespace suture

@@ -4,7 +4,7 @@
 
 namespace suture {
 
-GmshMesh runMesher(const MesherOrder& order) {
+GmshMesh runMesher(const MesherOrder& order, std::vector<FileStamp>*) {
   throw EnvironmentError(
       "cannot mesh " + order.file +
       ": this Suture was built without Gmsh. Configure with -DSUTURE_GMSH=ON, or mesh the file elsewhere and read the .msh file");

@@ -27,18 +27,34 @@ def brightness(view, points, triangles, normal):
     return result.reshape(-1, 3)
 
 
-def coloured(values, low, high, colours):
-    """Rows of red, green, blue for values between `low` and `high`; grey for NaN."""
+def colour_table(values, low, high, colours):
+    """(rows of red, green, blue; the row of each value) for values between `low` and `high`; grey for NaN."""
     table = np.vstack([colours(np.linspace(0, 1, 1024))[:, :3], UNKNOWN]).astype(np.float32)
     part = np.clip((values - low) * (1023 / ((high - low) or 1.0)) + 0.5, 0, 1023)
-    return table[np.where(np.isfinite(part), part, 1024).astype(np.int16)]
+    return table, np.where(np.isfinite(part), part, 1024).astype(np.int16)
 
 
-def picture(raster, colours, light=None):
-    """The image as bytes of red, green, blue and opacity, the lowest row first. `colours`: at the raster's samples."""
-    image = np.zeros((*raster.shape, 4), dtype=np.uint8)
+def coloured(values, low, high, colours):
+    """Rows of red, green, blue for values between `low` and `high`; grey for NaN."""
+    table, row = colour_table(values, low, high, colours)
+    return table[row]
+
+
+def packed(colours, light=None):
+    """Rows of red, green, blue as opaque pixels of four bytes."""
     bytes4 = np.full((len(colours), 4), 255, dtype=np.uint8)
     shade = np.float32(255.0) if light is None else (255 * light).astype(np.float32)[:, None]
     bytes4[:, :3] = np.asarray(colours, dtype=np.float32) * shade + np.float32(0.5)
-    image.view(np.uint32).reshape(-1)[raster.samples] = bytes4.view(np.uint32)[:, 0]
+    return bytes4.view(np.uint32)[:, 0]
+
+
+def image_of_pixels(raster, pixels):
+    """The image as bytes of red, green, blue and opacity, the lowest row first. `pixels`: at the raster's samples, see packed()"""
+    image = np.zeros((*raster.shape, 4), dtype=np.uint8)
+    image.view(np.uint32).reshape(-1)[raster.samples] = pixels
     return image
+
+
+def picture(raster, colours, light=None):
+    """The image of colours, rows of red, green, blue, at the raster's samples."""
+    return image_of_pixels(raster, packed(colours, light))
