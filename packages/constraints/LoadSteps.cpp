@@ -40,6 +40,11 @@ Schema LoadSteps::schema() {
   steps.list("Removed", Schema("Bodies and regions of bodies that are removed, as by an excavation, by name. The forces by which a removed "
                                "part held the others fall to zero in the next load step.")
                             .eachReal("part", "the last time at which it exists: 0 or one of Times"));
+  steps.list(
+      "Release",
+      Schema("Forces of removed parts that are released over several load steps, by the name of the part: a lining placed "
+             "between them carries the rest. Without an entry all are released in the next step.")
+          .eachText("part", "fractions released by the ends of the steps after its removal, ascending to 1, linear between: {0.4, 1}"));
   steps.list("Placed", Schema("Bodies that are placed later, such as a lining, by name; a placed body fits to the deformed sides of its "
                               "contacts and has no stress until these move on.")
                            .eachReal("body", "the time at which it is placed: one of Times"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace suture {
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kAccuracy = 1e-11;   // round-off of forces, and of deformations by them, in the dense solves
 constexpr double kDigits = 1e-13;     // round-off of a jump, relative to the sizes of its terms
-constexpr double kShared = 1e-10;     // compliance by which rows that repeat each other share their force, relative to their own
+constexpr double kShared = 1e-10;     // compliance by which rows that nearly repeat each other share their force, relative to their own
 constexpr int kRefined = 2;           // steps of refinement, so that this compliance does not affect the result
 constexpr double kSingular = 1e15;    // condition number of the scaled equations above which there is no solution
 constexpr double kGivesWay = 1e-10;   // compliance of a row without free nodes, relative to the largest
@@ -84,7 +85,7 @@ DelassusFriction::DelassusFriction(const CondensedContact& problem, const Delass
 
 DelassusFriction::System DelassusFriction::systemOf(const PairStates& states) const {
   const auto rows = static_cast<Eigen::Index>(problem_.bounds.size());
-  System system{Matrix::Zero(rows, rows), Matrix::Zero(rows, rows), Vector::Zero(rows), Vector::Zero(rows)};
+  System system{Matrix::Zero(rows, rows), Matrix::Zero(rows, rows), Vector::Zero(rows), Vector::Zero(rows), {}};
   Eigen::Index count = 0;
   for (std::size_t p = 0; p < states.size(); ++p) {
     const CondensedContact::Pair& pair = problem_.pairs[p];
@@ -93,6 +94,7 @@ DelassusFriction::System DelassusFriction::systemOf(const PairStates& states) co
     if (state.closed() && !problem_.dofs[pair.first].empty()) {
       system.forces(pair.first, count) = system.tests(pair.first, count) = 1.0;
       for (int k = 1; slips && k < pair.rows; ++k) system.forces(pair.first + k, count) = state.friction * state.direction[k];
+      system.row.push_back(slips ? -1 : pair.first);
       ++count;
     }
     for (int k = 1; k < pair.rows; ++k) {
@@ -100,17 +102,59 @@ DelassusFriction::System DelassusFriction::systemOf(const PairStates& states) co
       if (slips) system.given(row) = state.bound * state.direction[k];
       if (state.status != PairStatus::Stick || problem_.dofs[row].empty()) continue;
       system.forces(row, count) = system.tests(row, count) = 1.0;
+      system.row.push_back(row);
       ++count;
     }
     if (state.status == PairStatus::Stick || !(state.transverseStiffness > 0.0) || pair.rows < 2) continue;
     const Point along = acrossSlip(state);
     for (int k = 1; k < pair.rows; ++k) system.forces(pair.first + k, count) = system.tests(pair.first + k, count) = along[k];
     system.compliance(count++) = 1.0 / state.transverseStiffness;
+    system.row.push_back(-1);
   }
   system.forces.conservativeResize(Eigen::NoChange, count);
   system.tests.conservativeResize(Eigen::NoChange, count);
   system.compliance.conservativeResize(count);
   return system;
+}
+
+/// Makes the forces of rows that repeat each other unique, as at a corner where three bodies are glued to one another: combinations of
+/// forces that cancel at all nodes move nothing, and get a compliance of one in the scaled equations. The sum of squares of the scaled
+/// forces is least then. \param scale  of the unknowns
+void DelassusFriction::shareRepeated(const System& system, const Vector& scale, Matrix& scaled) const {
+  std::vector<int> left;    // unknowns of which each shares all its dofs with others
+  std::map<int, int> uses;  // by dof
+  const auto dofsOf = [&](int k) -> const std::vector<int>& { return problem_.dofs[static_cast<std::size_t>(system.row[k])]; };
+  for (int k = 0; k < static_cast<int>(system.row.size()); ++k) {
+    if (system.row[static_cast<std::size_t>(k)] < 0) continue;
+    left.push_back(k);
+    for (const int dof : dofsOf(k)) ++uses[dof];
+  }
+  for (std::size_t before = left.size() + 1; left.size() < before;) {
+    before = left.size();
+    left.erase(std::remove_if(left.begin(), left.end(),
+                              [&](int k) {
+                                const bool isAlone =
+                                    std::any_of(dofsOf(k).begin(), dofsOf(k).end(), [&](int dof) { return uses[dof] == 1; });
+                                for (const int dof : dofsOf(k)) uses[dof] -= isAlone;
+                                return isAlone;
+                              }),
+               left.end());
+  }
+  if (left.empty()) return;
+  std::map<int, int> placeOf;
+  for (const int k : left)
+    for (const int dof : dofsOf(k)) placeOf.emplace(dof, static_cast<int>(placeOf.size()));
+  Matrix forces = Matrix::Zero(static_cast<Eigen::Index>(placeOf.size()), static_cast<Eigen::Index>(left.size()));
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const std::vector<double>& coefficients =
+        problem_.coefficients[static_cast<std::size_t>(system.row[static_cast<std::size_t>(left[i])])];
+    for (std::size_t d = 0; d < coefficients.size(); ++d)
+      forces(placeOf.at(dofsOf(left[i])[d]), static_cast<Eigen::Index>(i)) += coefficients[d] * scale(left[i]);
+  }
+  const Matrix cancelling = nullSpace(forces / forces.colwise().norm().maxCoeff(), kDependent);
+  for (std::size_t i = 0; i < left.size(); ++i)
+    for (std::size_t j = 0; j < left.size(); ++j)
+      scaled(left[i], left[j]) += cancelling.row(static_cast<Eigen::Index>(i)).dot(cancelling.row(static_cast<Eigen::Index>(j)));
 }
 
 ContactAnswer DelassusFriction::solve(const PairStates& states, double) {
@@ -139,6 +183,7 @@ ContactAnswer DelassusFriction::solve(const PairStates& states, double) {
   Matrix scaled = a;
   scaled.diagonal() += shared;
   scaled = (left.asDiagonal() * scaled * right.asDiagonal()).eval();
+  shareRepeated(system, right, scaled);
   double condition = 0.0;
   const Matrix inverse = generalInverse(scaled, condition);
   ContactAnswer answer;

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace suture {
 
@@ -38,8 +39,10 @@ class DelassusFriction : public LinearContactSolver {
     Matrix forces, tests;  // rows x unknowns: forces of unit unknowns, and the combinations of jumps that vanish
     Vector given;          // forces that do not depend on unknowns
     Vector compliance;     // compliance of springs; zero for rows that are held
+    std::vector<int> row;  // row of an unknown that is the force of this row alone; -1: none
   };
   System systemOf(const PairStates& states) const;
+  void shareRepeated(const System& system, const Vector& scale, Matrix& scaled) const;
   ContactAnswer answerOf(const PairStates& states) const;
   void report(const PairStates& states, const ContactAnswer& answer);
 

@@ -74,12 +74,24 @@ void Reference::doAssemble(Subdomains) {
                      [&] { system_ = std::make_unique<const MonolithicSystem>(scene().mesh, scene().constraints, scene().model); });
 }
 
-Solution Reference::doSolve(Monitor& monitor, const Start*, const Keep&) {
+/// States of all pairs of the whole mesh; pressed where the start has none. On rank 0.
+std::vector<ContactState> Reference::statesOf(const Start& start) const {
+  std::vector<ContactState> states;
+  for (const ContactPair& pair : scene().constraints.pairs) {
+    const auto found = start.status.find(pair.id);
+    states.push_back(found == start.status.end() ? ContactState(scene().laws.of(pair.line).pressed()) : found->second);
+  }
+  return states;
+}
+
+Solution Reference::doSolve(Monitor& monitor, const Start* start, const Keep&) {
   const Comm& comm = *scene().comm;
   MonolithicResult result;
   collectivelyOnRoot(comm, "the monolithic solver", [&] {
     Monitor later;  // the rows are reported on all ranks below
-    result = solveMonolithic(scene().mesh, scene().constraints, *system_, options_, later);
+    MonolithicOptions options = options_;
+    if (start && takesStart()) options.start = statesOf(*start);
+    result = solveMonolithic(scene().mesh, scene().constraints, *system_, options, later);
   });
   Packer packer;
   packer.put(Figures{result.converged, result.iterations, result.residual, result.energy});

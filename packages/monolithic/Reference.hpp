@@ -4,6 +4,7 @@
 #include <suture/solver/Method.hpp>
 
 #include <memory>
+#include <vector>
 
 namespace suture {
 
@@ -16,6 +17,9 @@ class Reference : public Method {
 
   bool needsWholeMesh() const override { return true; }
   bool knowsFriction(const Parameters&) const override { return true; }
+  /// On a path of load steps with friction: states of the pairs only. Equilibria with friction are not unique, and a path continues that of
+  /// its last step.
+  bool takesStart() const override { return scene().inSteps && scene().laws.restrictSliding(); }
   double megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const override;
 
  protected:
@@ -25,6 +29,8 @@ class Reference : public Method {
   Solution doSolve(Monitor& monitor, const Start* start, const Keep& keep) override;
 
  private:
+  std::vector<ContactState> statesOf(const Start& start) const;
+
   MonolithicOptions options_;
   std::unique_ptr<const MonolithicSystem> system_;  // on rank 0
 };

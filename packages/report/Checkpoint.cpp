@@ -20,6 +20,8 @@ constexpr std::size_t kStep = 19;       // components of a row of Steps
 constexpr std::size_t kPathPair = 9;    // components of a row of PathPairs: slip, slipped, dissipated, force, tangential
 constexpr std::size_t kCarried = 4;     // components of a row of Carried: BodyForces
 constexpr std::size_t kSafety = 12;     // components of a row of Safety: see forEachNumber()
+constexpr std::size_t kReleased = 5;    // components of a row of Released: time of removal, node, force
+constexpr std::size_t kFit = 2;         // components of a row of Fits: pair, gap
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
 /// Members of a StepRow as numbers; one list for reading and writing.
@@ -36,6 +38,38 @@ void forEachSafety(Safety& one, const Each& each) {
   each(one.body), each(one.region), each(one.id), each(one.step), each(one.time), each(one.factor);
   for (auto& x : one.place) each(x);
   for (auto& s : one.stress) each(s);
+}
+
+/// Parts removed and placed so far, and what remains of them.
+void writeChanges(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
+  if (steps.changes.empty()) return;
+  file.write(at("Changes"), steps.changes);
+  std::vector<double> released, fits;
+  if (comm.getRank() == 0) {
+    for (const PathState::Released& one : steps.released)
+      released.insert(released.end(), {one.removal, static_cast<double>(one.node), one.force[0], one.force[1], one.force[2]});
+    for (const PathState::Fit& one : steps.fits) fits.insert(fits.end(), {static_cast<double>(one.pair), one.gap});
+  }
+  file.write(at("Released"), released, static_cast<int>(kReleased));
+  file.write(at("Fits"), fits, static_cast<int>(kFit));
+}
+
+void readChanges(const Hdf5Reader& file, const std::string& path, PathState& steps) {
+  if (!file.has(at("Changes"))) return;
+  steps.changes = file.readText(at("Changes"));
+  const std::vector<double> released = file.readReals(at("Released")), fits = file.readReals(at("Fits"));
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (released.size() % kReleased != 0 || fits.size() % kFit != 0 || !std::all_of(released.begin(), released.end(), finite) ||
+      !std::all_of(fits.begin(), fits.end(), finite))
+    throw InputError(path, "damaged: incomplete forces of removed parts, or gaps of placed bodies");
+  std::vector<GlobalId> nodes = file.readGlobalIds(at("Nodes"));
+  std::sort(nodes.begin(), nodes.end());
+  for (auto row = released.begin(); row != released.end(); row += kReleased) {
+    steps.released.push_back({row[0], static_cast<GlobalId>(row[1]), {row[2], row[3], row[4]}});
+    if (!std::binary_search(nodes.begin(), nodes.end(), steps.released.back().node))
+      throw InputError(path, "damaged: a force of removed parts on the unknown node " + std::to_string(steps.released.back().node));
+  }
+  for (auto row = fits.begin(); row != fits.end(); row += kFit) steps.fits.push_back({static_cast<int>(row[0]), row[1]});
 }
 
 void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
@@ -59,6 +93,7 @@ void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
   if (comm.getRank() == 0)
     for (const BodyForces& body : steps.carried) carried.insert(carried.end(), {body.loads, body.prescribed, body.force, body.deformation});
   file.write(at("Carried"), carried, static_cast<int>(kCarried));
+  writeChanges(file, comm, steps);
   if (steps.safety.empty()) return;
   std::vector<double> safety;
   if (comm.getRank() == 0)
@@ -86,6 +121,7 @@ PathState readPath(const Hdf5Reader& file, const std::string& path, const std::v
   for (std::size_t i = 0; i < lines * steps.rows.size(); ++i)
     steps.rows[i / lines].forceOnB.push_back({forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]});
   steps.length = next.front();
+  readChanges(file, path, steps);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const double* row = pairs.data() + kPathPair * i;
     steps.pairs.push_back({ids[i], {{row[0], row[1], row[2]}, row[3] != 0.0, row[4]}, row[5], {row[6], row[7], row[8]}});
@@ -107,6 +143,44 @@ PathState readPath(const Hdf5Reader& file, const std::string& path, const std::v
   for (auto row = carried.begin(); row != carried.end(); row += kCarried) steps.carried.push_back({row[0], row[1], row[2], row[3]});
   return steps;
 }
+
+/// Reader of an existing checkpoint. \throws InputError  another file
+Hdf5Reader openCheckpoint(const Comm& comm, const std::string& path) {
+  Hdf5Reader file(comm, path);
+  if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: missing group " + std::string(kGroup));
+  return file;
+}
+
+/// Rows of a nodal dataset for the nodes of subdomains, node-major. Local.
+class NodalRows {
+ public:
+  NodalRows(const std::vector<GlobalId>& nodes, std::string path) : path_(std::move(path)) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) rowOf_.emplace(nodes[i], i);
+  }
+
+  /// \param values  one row per node of the file \param what  for messages
+  Vector of(const SubdomainMesh& mesh, const std::vector<double>& values, const std::string& what) const {
+    const auto d = static_cast<std::size_t>(mesh.dimension);
+    Vector own(Eigen::Index(mesh.nodes()) * mesh.dimension);
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      const GlobalId global = mesh.globalNodes[static_cast<std::size_t>(node)];
+      const auto row = rowOf_.find(global);
+      if (row == rowOf_.end() || (row->second + 1) * d > values.size())
+        throw InputError(path_, "damaged: no " + what + " of node " + std::to_string(global));
+      for (std::size_t k = 0; k < d; ++k) {
+        const double value = values[row->second * d + k];
+        if (!std::isfinite(value))
+          throw InputError(path_, "damaged: the " + what + " of node " + std::to_string(global) + " is not finite");
+        own[Eigen::Index(node) * mesh.dimension + Eigen::Index(k)] = value;
+      }
+    }
+    return own;
+  }
+
+ private:
+  std::string path_;
+  std::map<GlobalId, std::size_t> rowOf_;
+};
 
 }  // namespace
 
@@ -150,13 +224,25 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   file.write(at("Status"), status);
   if (anySlides) file.write(at("Sliding"), sliding, static_cast<int>(kSliding));  // absent without friction
   if (!steps.empty()) writePath(file, comm, steps);
+  if (!steps.empty() && steps.since > 0.0) {
+    std::vector<double> reference;
+    for (const Vector& u : steps.reference) reference.insert(reference.end(), u.begin(), u.end());
+    file.write(at("Since"), comm.getRank() == 0 ? std::vector<double>{steps.since} : std::vector<double>());
+    file.write(at("Reference"), reference, dimension);
+  }
   file.close();
+}
+
+PathState readPath(const Comm& comm, const std::string& path) {
+  const Hdf5Reader file = openCheckpoint(comm, path);
+  PathState steps = readPath(file, path, file.readInts(at("Pairs")));
+  if (steps.empty()) throw InputError(path, "a checkpoint without load steps; expected one of a scene with load steps");
+  return steps;
 }
 
 Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                      PathState* steps) {
-  const Hdf5Reader file(comm, path);
-  if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: missing group " + std::string(kGroup));
+  const Hdf5Reader file = openCheckpoint(comm, path);
   const std::string expected = broadcast(comm, meshHash), found = file.readTextAttribute(kGroup, "MeshHash");
   if (found != expected) throw InputError(path, "a checkpoint of another mesh (hash " + found + ", this mesh has " + expected + ")");
   const std::vector<GlobalId> nodes = file.readGlobalIds(at("Nodes"));
@@ -168,25 +254,20 @@ Start readCheckpoint(const Comm& comm, const std::string& path, const std::strin
 
   Start start;
   if (steps) *steps = readPath(file, path, pairs);
+  std::vector<double> reference;
+  if (steps && !steps->empty() && file.has(at("Since"))) {
+    const std::vector<double> since = file.readReals(at("Since"));
+    if (since.size() != 1 || !std::isfinite(since.front())) throw InputError(path, "damaged: incomplete load steps");
+    steps->since = since.front();
+    reference = file.readReals(at("Reference"));
+  }
   collectively(comm, "reading a checkpoint", [&] {
-    std::map<GlobalId, std::size_t> rowOf;
-    for (std::size_t i = 0; i < nodes.size(); ++i) rowOf.emplace(nodes[i], i);
+    const NodalRows rows(nodes, path);
     for (const SubdomainMesh& mesh : meshes) {
-      const auto d = static_cast<std::size_t>(mesh.dimension);
-      Vector displacement(mesh.nodes() * mesh.dimension);
-      for (int node = 0; node < mesh.nodes(); ++node) {
-        const auto row = rowOf.find(mesh.globalNodes[node]);
-        if (row == rowOf.end() || (row->second + 1) * d > values.size())
-          throw InputError(path, "damaged: no displacement of node " + std::to_string(mesh.globalNodes[node]));
-        for (std::size_t k = 0; k < d; ++k) {
-          const std::size_t from = row->second * d + k, to = static_cast<std::size_t>(node) * d + k;
-          if (!std::isfinite(values[from]) || from >= rests.size() || !std::isfinite(rests[from]))
-            throw InputError(path, "damaged: the displacement of node " + std::to_string(mesh.globalNodes[node]) + " is not finite");
-          const double motion = mesh.lift.motion.size() > 0 ? mesh.lift.motion[static_cast<Eigen::Index>(to)] : 0.0;
-          displacement(static_cast<Eigen::Index>(to)) = values[from] - motion + rests[from];
-        }
-      }
-      start.displacement.push_back(std::move(displacement));
+      Vector own = rows.of(mesh, values, "displacement");
+      if (mesh.lift.motion.size() > 0) own -= mesh.lift.motion;
+      start.displacement.push_back(own + rows.of(mesh, rests, "displacement"));
+      if (steps && steps->since > 0.0) steps->reference.push_back(rows.of(mesh, reference, "reference displacement"));
     }
     if (pairs.size() != status.size())
       throw InputError(path, "damaged: " + std::to_string(pairs.size()) + " pairs, " + std::to_string(status.size()) + " states");

@@ -25,6 +25,23 @@ struct PathState {
   std::vector<BodyForces> carried{};  ///< largest forces on each body so far; empty: unknown (earlier files)
   std::vector<LeastSafety> safety{};  ///< least safety factors over the steps; written from rank 0, read on all ranks
 
+  /// Force on a node of the mesh by which parts removed at a time held the others, if it is not yet released in full.
+  struct Released {
+    double removal;
+    GlobalId node;
+    Point force;
+  };
+  /// Part of the gap of a pair by which a placed body fits to a deformed side. [length]
+  struct Fit {
+    int pair;
+    double gap;
+  };
+  std::string changes{};             ///< parts removed and placed so far, as a text; empty: unknown (earlier files). The same on all ranks
+  std::vector<Released> released{};  ///< written from rank 0, read on all ranks
+  std::vector<Fit> fits{};           ///< likewise
+  double since = 0.0;                ///< time of `Output/Displacements Since`; 0: not reached
+  std::vector<Vector> reference{};   ///< displacements at that time, by subdomain of this rank
+
   bool empty() const { return rows.empty(); }
 };
 
@@ -34,6 +51,10 @@ struct PathState {
 /// \param steps  load steps up to the solution
 void writeCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                      const Solution& solution, const PathState& steps = {});
+
+/// Reads the load steps of a checkpoint, without displacements, before its mesh is known. Collective.
+/// \throws InputError  no checkpoint, damaged, or without load steps
+PathState readPath(const Comm& comm, const std::string& path);
 
 /// Reads a checkpoint for this rank's subdomains, with the status of all pairs. Collective.
 /// \param steps  if not null, receives the load steps of the run that wrote it; empty if there were none

@@ -1,5 +1,6 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/Numbers.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/simulation/LoadPath.hpp>
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace suture {
 
@@ -28,9 +30,8 @@ LoadPath::LoadPath(const Comm& comm, const LoadSteps& steps, const PrescribedPar
 void LoadPath::setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) const {
   const std::vector<double> factors = steps_.at(time);
   for (Load& load : model.loads) {
-    const bool isReleased = load.kind == Load::Kind::NodalForces && load.name == kRelease;
-    load.factor = isReleased ? std::clamp((releaseEnd_ - time) / (releaseEnd_ - releaseBegin_), 0.0, 1.0)
-                             : factors[static_cast<std::size_t>(steps_.factorOf(load.name))];
+    const Release* release = releaseOf(load);
+    load.factor = release ? release->remaining(time) : factors[static_cast<std::size_t>(steps_.factorOf(load.name))];
   }
 
   std::map<GlobalId, Point> values;
@@ -69,6 +70,26 @@ void LoadPath::setTime(double time, ElasticModel& model, std::vector<SubdomainMe
   if (!parts_.empty())
     for (NodeRule& rule : constraints.rules) rule.value = valueAt(rule.node);
   for (ContactPair& pair : constraints.pairs) pair.past = pastOf(pair.id);
+}
+
+void LoadPath::release(const Release& release, std::map<GlobalId, Point> forces, ElasticModel& model) {
+  Load load;
+  load.kind = Load::Kind::NodalForces;
+  load.name = "forces of parts removed at t = " + realText(release.begin());
+  load.forces = std::move(forces);
+  releases_.insert_or_assign(load.name, release);
+  model.loads.push_back(std::move(load));
+}
+
+const Release* LoadPath::releaseOf(const Load& load) const {
+  const auto found = load.kind == Load::Kind::NodalForces ? releases_.find(load.name) : releases_.end();
+  return found == releases_.end() ? nullptr : &found->second;
+}
+
+std::vector<double> LoadPath::factorsAt(double time) const {
+  std::vector<double> all = steps_.at(time);
+  for (const auto& entry : releases_) all.push_back(entry.second.remaining(time));
+  return all;
 }
 
 void LoadPath::accept(const std::vector<PairResult>& pairs, const std::vector<BodyForces>& forces) {

@@ -6,8 +6,10 @@
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Steps.hpp>
+#include <suture/simulation/Release.hpp>
 
 #include <map>
+#include <string>
 #include <vector>
 
 namespace suture {
@@ -31,10 +33,12 @@ class LoadPath {
   /// State for a checkpoint.
   PathState state(const std::vector<PairResult>& pairs) const;
 
-  /// Name of the load that replaces the forces of removed parts.
-  static constexpr const char* kRelease = "forces of removed parts";
-  /// Lets that load fall linearly from its full size at `begin` to zero at `end`.
-  void release(double begin, double end) { releaseBegin_ = begin, releaseEnd_ = end; }
+  /// Adds the forces by which removed parts held the others as a load that falls to zero. Local, the same on all ranks.
+  void release(const Release& release, std::map<GlobalId, Point> forces, ElasticModel& model);
+  /// How a load of the model is released; null: it is no load of removed parts.
+  const Release* releaseOf(const Load& load) const;
+  /// Factors of all loads and prescribed displacements at a time: those of the load steps, and the remaining fractions of removed parts.
+  std::vector<double> factorsAt(double time) const;
 
   const LoadSteps& steps() const { return steps_; }
   /// Largest forces on each body over the steps so far; empty if unknown.
@@ -51,7 +55,7 @@ class LoadPath {
   PrescribedParts parts_;
   std::map<int, ContactPair::Past> past_;  // by id, of pairs that have one
   std::vector<BodyForces> carried_;
-  double releaseBegin_ = 0.0, releaseEnd_ = 0.0;
+  std::map<std::string, Release> releases_;  // by the name of the load
 };
 
 /// Pairs whose status differs between the ends of two steps. On rank 0.

@@ -4,6 +4,7 @@
 #include <suture/report/Report.hpp>
 #include <suture/report/answers/Answers.hpp>
 #include <suture/simulation/PathFollower.hpp>
+#include <suture/simulation/Restart.hpp>
 #include <suture/simulation/StepLength.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
@@ -70,8 +71,7 @@ Solution PathFollower::solveStep(const Solution* before, bool isPrepared, double
 /// changes, the displacements change like the loads. Zero: they do not, or friction of the last step was in the other direction.
 double PathFollower::continues(double time) const {
   if (lastBegin_ < 0.0) return 0.0;
-  const LoadSteps& steps = parts_.scene.steps;
-  const std::vector<double> before = steps.at(lastBegin_), now = steps.at(path().time()), next = steps.at(time);
+  const std::vector<double> before = path().factorsAt(lastBegin_), now = path().factorsAt(path().time()), next = path().factorsAt(time);
   double square = 0.0, product = 0.0;
   for (std::size_t i = 0; i < now.size(); ++i) {
     square += (now[i] - before[i]) * (now[i] - before[i]);
@@ -94,32 +94,14 @@ std::string PathFollower::lastStates() const {
 /// Continues the path of a checkpoint. \param before  receives the solution of its last step
 void PathFollower::goOnFromStart(Solution& before) {
   path().goOnFrom(restart_);
-  const double since = scene().settings().sublist("Output").get<double>("Displacements Since");
-  if (since > 0.0 && path().time() > since && parts_.phaseNumber == 0)
-    throw InputError("Output/Displacements Since", "the checkpoint is at " + timeText(path().time()) + ", after " + timeText(since) +
-                                                       ", and has no displacements of that time; run the scene from its beginning");
-  before.displacement = solver_.start()->displacement;
-  before.converged = true;
-  if (path().time() == since) parts_.reference = before.displacement;
-  std::vector<PairForce> forces;
-  const auto state = [&](int pair) {
-    const auto found = solver_.start()->status.find(pair);
-    return found != solver_.start()->status.end() ? found->second : ContactState();
-  };
-  if (comm().getRank() == 0)
-    for (const PathState::Pair& pair : restart_.pairs) forces.push_back({pair.id, state(pair.id), pair.force, pair.tangential});
-  path().setTime(path().time(), scene().model, parts_.cut.meshes, parts_.constraints);
-  std::vector<const SubdomainMesh*> meshes;
-  for (const SubdomainMesh& mesh : parts_.cut.meshes) meshes.push_back(&mesh);
-  before.pairs = pairResults(comm(), meshes, before.displacement, forces);
-  before.energy = path().rows.back().energy;
+  before = lastSolution(parts_, *solver_.start(), restart_);
   const double tolerance = requestedAccuracy(scene().settings(), before);
   meter_.goOnFrom({parts_.cut.meshes, scene().model, before.displacement, before.pairs, parts_.cut.whole.pieces, tolerance},
                   path().rows.back().work);
-  if (parts_.phaseNumber > 0)
+  if (parts_.phaseNumber > 0 && path().time() == parts_.begin())
     monitor().note(timeText(path().time()) + ": " + parts_.plan->phases.changes(parts_.phaseNumber));
   else
-    monitor().note("continues at " + timeText(path().time()) + ", after load step " + std::to_string(path().rows.size()));
+    monitor().note(continuesText(parts_));
 }
 
 /// Accepts a step and writes its row, work, fields and checkpoint.

@@ -4,6 +4,8 @@
 #include <suture/solver/Method.hpp>
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,13 +19,14 @@ class PhaseChange {
   /// \param before  parts of the phase that ends; may be destroyed afterwards. Collective.
   PhaseChange(const SceneParts& before, const Solution& solution);
 
-  /// Fits placed bodies to the deformed sides of their contacts: initial gaps and slips of their pairs are measured from now on. Before the
-  /// mesh is cut. Local (rank 0; does nothing on other ranks). \param absentBefore  bodies and regions that did not exist in the last phase
+  /// Fits placed bodies to the deformed sides of their contacts: gaps and slips of their pairs are measured from the moment at which the
+  /// body was placed, now or before an earlier phase. Before the mesh is cut. Local (rank 0; does nothing on other ranks). \param
+  /// absentBefore  bodies and regions that did not exist in the last phase
   void fit(SceneParts& next, const std::set<std::string>& absentBefore);
 
   /// Continues the load path in the next phase, which is cut: histories of pairs, steps so far, and the forces by which removed parts held
-  /// the others, as a load that falls to zero until `end`. Collective.
-  void goOn(SceneParts& next, double end);
+  /// the others, as loads that fall to zero. Collective.
+  void goOn(SceneParts& next);
 
   /// After goOn(): start of the solver, and of its path.
   const Start& start() const { return start_; }
@@ -35,6 +38,7 @@ class PhaseChange {
   struct Pair {
     PairResult result;
     ContactPair::Past past;
+    std::optional<double> fit;  ///< part of its gap by which a placed body fits to a deformed side [length]
   };
   std::map<Key, std::vector<Pair>> pairs_;         // on rank 0
   std::map<int, Point> displacement_, reference_;  // node of the whole mesh; on rank 0
@@ -43,14 +47,19 @@ class PhaseChange {
   std::vector<std::pair<std::pair<std::string, std::string>, LeastSafety>> safety_;
   PathState path_;
   Start start_;
+  /// Forces of parts removed before, of which a part still acts: by node of the whole mesh, on rank 0.
+  std::vector<std::pair<Release, std::map<int, Point>>> pending_;
   std::map<int, ContactPair::Past> fitted_;  // by id in the next phase, of pairs of placed bodies; on rank 0
 
   std::map<int, Point> byWholeNode(const SceneParts& parts, const std::vector<Vector>& values) const;
   Point displacementOf(int node) const;
+  const Pair* find(const SceneParts& next, const ContactPair& pair, std::map<Key, std::size_t>& used) const;
   void takePairs(const SceneParts& next);
   void takeBodies(const Scene& next);
   std::vector<Vector> onMeshes(const SceneParts& next, const std::map<int, Point>& byWholeNode) const;
-  void addRelease(SceneParts& next, double end) const;
+  void takePending(const SceneParts& before);
+  void addPending(SceneParts& next) const;
+  void addRelease(SceneParts& next) const;
 };
 
 }  // namespace suture

@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* kRemoved = "Removed";
 constexpr const char* kPlaced = "Placed";
+constexpr const char* kRelease = "Release";
 
 /// True if a body has a region of this name.
 bool hasRegion(const Parameters& bodies, const std::string& body, const std::string& region) {
@@ -68,10 +69,13 @@ void dropOfBodies(Parameters& list, const std::set<std::string>& absent) {
 
 Phases::Phases(const Scene& scene) {
   const Parameters& steps = scene.settings().sublist("Load Steps");
-  if (!steps.isSublist(kRemoved) || (steps.sublist(kRemoved).numParams() == 0 && steps.sublist(kPlaced).numParams() == 0)) return;
+  const auto isEmpty = [&](const char* list) { return !steps.isSublist(list) || steps.sublist(list).numParams() == 0; };
+  if (isEmpty(kRemoved) && isEmpty(kPlaced) && isEmpty(kRelease)) return;
   Problems problems;
+  times_ = scene.steps.times();
   read(scene, kRemoved, removed_, problems);
   read(scene, kPlaced, placed_, problems);
+  readReleases(steps.sublist(kRelease), problems);
   const Parameters& placed = steps.sublist(kPlaced);
   for (const auto& [name, time] : placed_) {
     if (!scene.settings().sublist("Bodies").isSublist(name))
@@ -99,7 +103,7 @@ Phases::Phases(const Scene& scene) {
   for (const auto* times : {&removed_, &placed_})
     for (const auto& entry : *times) begins.insert(entry.second);
   begins_.assign(begins.begin(), begins.end());
-  last_ = scene.steps.times().back();
+  last_ = times_.back();
   bodies_.insert(scene.model.bodies.begin(), scene.model.bodies.end());
   for (int phase = 0; phase < count(); ++phase) {
     const std::set<std::string> missing = absent(phase);
@@ -131,6 +135,52 @@ void Phases::read(const Scene& scene, const std::string& list, std::map<std::str
   }
 }
 
+void Phases::readReleases(const Parameters& own, Problems& problems) {
+  std::vector<std::string> names;
+  for (const auto& entry : removed_) names.push_back(entry.first);
+  for (auto entry = own.begin(); entry != own.end(); ++entry) {
+    const std::string& name = own.name(entry);
+    const std::string path = pathOf(own, name), text = trimmed(own.get<std::string>(name));
+    const auto removal = removed_.find(name);
+    if (removal == removed_.end()) {
+      problems.add(path, unknownName("removed part", name, names));
+      continue;
+    }
+    if (removal->second == 0.0) {
+      problems.add(path, "'" + name + "' is removed at 0, before it carries anything; expected a removal at one of Times");
+      continue;
+    }
+    std::vector<double> fractions;
+    const auto entries = parseEntries(text);
+    for (const std::string& one : entries ? *entries : std::vector<std::string>())
+      if (const auto value = parseReal(one); value && *value >= (fractions.empty() ? 0.0 : fractions.back())) fractions.push_back(*value);
+    const auto follow = times_.end() - std::upper_bound(times_.begin(), times_.end(), removal->second);
+    if (!entries || entries->empty() || fractions.size() != entries->size() || fractions.back() != 1.0)
+      problems.add(path, "'" + text + "'; expected fractions that ascend from 0 and end at 1, such as {0.4, 1}");
+    else if (static_cast<std::ptrdiff_t>(fractions.size()) > follow)
+      problems.add(path, std::to_string(fractions.size()) + " fractions, but the number of load steps after " + realText(removal->second) +
+                             " is " + std::to_string(follow) + "; expected at most one for each step");
+    else
+      released_.try_emplace(removal->second, name, fractions);
+  }
+  for (const auto& [name, time] : removed_) {
+    const auto found = released_.find(time);
+    if (found == released_.end() || found->second.first == name) continue;
+    if (!own.isParameter(name) || own.get<std::string>(name) != own.get<std::string>(found->second.first))
+      problems.add(pathOf(own, name), "differs from '" + found->second.first +
+                                          "', which is removed at the same time; expected the same "
+                                          "fractions for both");
+  }
+}
+
+Release Phases::release(double removal) const {
+  const auto found = released_.find(removal);
+  std::vector<double> fractions = found == released_.end() ? std::vector<double>{1.0} : found->second.second;
+  const auto first = std::upper_bound(times_.begin(), times_.end(), removal);
+  std::vector<double> ends(first, first + static_cast<std::ptrdiff_t>(fractions.size()));
+  return {removal, std::move(ends), std::move(fractions)};
+}
+
 double Phases::end(int phase) const { return phase + 1 < count() ? begin(phase + 1) : last_; }
 
 std::set<std::string> Phases::absent(int phase) const {
@@ -147,7 +197,20 @@ std::string Phases::changes(int phase) const {
   for (const auto& [times, what] : {std::make_pair(&removed_, " removed"), std::make_pair(&placed_, " placed")})
     for (const auto& [name, time] : *times)
       if (time == begin(phase)) text += (text.empty() ? "'" : ", '") + name + "'" + what;
+  if (released_.count(begin(phase)) > 0) text += ", " + release(begin(phase)).text();
   return text;
+}
+
+int Phases::phaseAt(double time) const {
+  return std::max(0, static_cast<int>(std::lower_bound(begins_.begin(), begins_.end(), time) - begins_.begin()) - 1);
+}
+
+std::string Phases::changesBefore(double time) const {
+  std::string text;
+  for (int phase = 0; phase < count() && begin(phase) < time; ++phase)
+    if (const std::string now = changes(phase); !now.empty())
+      text += (text.empty() ? "t = " : "; t = ") + realText(begin(phase)) + ": " + now;
+  return text.empty() ? kNoChange : text;
 }
 
 PhaseScene::PhaseScene(const Comm& comm, const Scene& whole, const Phases& phases, int phase, std::shared_ptr<const Mesh> mesh)
@@ -186,7 +249,7 @@ PhaseScene::PhaseScene(const Comm& comm, const Scene& whole, const Phases& phase
   dropLostGroups(all.sublist("Contact"), {"Side A", "Side B"}, lost);
   dropOfBodies(conditions, absent);
   Parameters& steps = all.sublist("Load Steps");
-  for (const char* list : {kRemoved, kPlaced}) steps.remove(list);
+  for (const char* list : {kRemoved, kPlaced, kRelease}) steps.remove(list, false);
   std::vector<std::string> unused;
   for (auto entry = steps.sublist("Factors").begin(); entry != steps.sublist("Factors").end(); ++entry)
     if (!conditions.isSublist(steps.sublist("Factors").name(entry))) unused.push_back(steps.sublist("Factors").name(entry));

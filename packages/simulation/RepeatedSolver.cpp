@@ -2,6 +2,14 @@
 
 namespace suture {
 
+/// Largest forces on each body so far, and those of its initial stress; empty: unknown.
+std::vector<BodyForces> RepeatedSolver::carried() const {
+  std::vector<BodyForces> all = parts_.path->carried();
+  if (all.empty()) return inSitu_;
+  for (std::size_t b = 0; b < inSitu_.size(); ++b) all[b].take(inSitu_[b]);
+  return all;
+}
+
 Solution RepeatedSolver::solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement) {
   const RunContext& run = parts_.run;
   if (!isPrepared && method_ && method_->reloads()) {
@@ -12,7 +20,7 @@ Solution RepeatedSolver::solve(const Solution* before, bool isPrepared, const st
   }
   std::optional<Start> start = before ? startOf(run.comm(), *before) : start_;
   if (start && displacement) start->displacement = *displacement;
-  if (start && parts_.path) start->carried = parts_.path->carried();
+  if (start && parts_.path) start->carried = carried();
   return method_->solve(run.monitor(), run.timers(), start && method_->takesStart() ? &*start : nullptr);
 }
 

@@ -11,9 +11,9 @@ namespace suture {
 /// that cannot reload.
 class RepeatedSolver {
  public:
-  /// \param parts  must outlive it \param method  prepared \param start  initial guess of the first solution
+  /// Collective. \param parts  must outlive it \param method  prepared \param start  initial guess of the first solution
   RepeatedSolver(SceneParts& parts, std::unique_ptr<Method> method, std::optional<Start> start)
-      : parts_(parts), method_(std::move(method)), start_(std::move(start)) {}
+      : parts_(parts), method_(std::move(method)), start_(std::move(start)), inSitu_(inSituForces(parts)) {}
 
   /// The solution for the present loads. Collective.
   /// \param before        initial guess; null: the start
@@ -30,6 +30,9 @@ class RepeatedSolver {
   SceneParts& parts_;
   std::unique_ptr<Method> method_;  // null after a method that cannot reload broke down while it was prepared
   std::optional<Start> start_;
+  std::vector<BodyForces> inSitu_;
+
+  std::vector<BodyForces> carried() const;
 };
 
 }  // namespace suture

@@ -1,8 +1,14 @@
 #include <suture/base/Collective.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/simulation/JudgeStage.hpp>
+#include <suture/simulation/Restart.hpp>
 #include <suture/simulation/SceneParts.hpp>
 
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace suture {
@@ -17,6 +23,11 @@ std::vector<double> SceneParts::times() const {
   std::vector<double> all = scene.steps.times();
   if (plan) all.erase(std::upper_bound(all.begin(), all.end(), plan->phases.end(phaseNumber)), all.end());
   return all;
+}
+
+void SceneParts::fitPairs() {
+  for (ContactPair& pair : constraints.pairs)
+    if (const auto fit = fits.find(pair.id); fit != fits.end()) pair.gap += fit->second;
 }
 
 std::optional<double> SceneParts::sinceTime() const {
@@ -48,11 +59,44 @@ Start startOf(const Comm& comm, const Solution& solution) {
   return start;
 }
 
+namespace {
+
+bool isStressed(const ElasticModel& model) {
+  return std::any_of(model.loads.begin(), model.loads.end(), [](const Load& load) { return load.kind == Load::Kind::InitialStress; });
+}
+
+}  // namespace
+
+std::vector<BodyForces> inSituForces(const SceneParts& parts) {
+  const ElasticModel& model = parts.scene.model;
+  if (!isStressed(model)) return {};
+  const std::size_t bodies = model.bodies.size();
+  std::vector<double> mine(3 * bodies, 0.0), all(3 * bodies);  // by body: size, integrals of stress and of stress over stiffness
+  collectively(parts.run.comm(), "finding the initial stresses", [&] {
+    for (const SubdomainMesh& mesh : parts.cut.meshes) {
+      const Matrix stresses = elementStresses(mesh, model, Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension));
+      for (int e = 0; e < mesh.elements(); ++e) {
+        const double size = std::abs(signedSize(mesh, e)), stress = size * stresses.row(e).norm();
+        double* sums = mine.data() + 3 * static_cast<std::size_t>(mesh.body);
+        sums[0] += size, sums[1] += stress, sums[2] += stress / model.materialOf(mesh, e, mesh.body).young;
+      }
+    }
+  });
+  Teuchos::reduceAll(parts.run.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  std::vector<BodyForces> forces(bodies);
+  for (std::size_t b = 0; b < bodies; ++b) {
+    const double length = std::pow(all[3 * b], 1.0 / model.dimension);
+    if (!(length > 0.0)) continue;
+    forces[b].force = all[3 * b + 1] / length;
+    forces[b].deformation = all[3 * b + 2] * length / all[3 * b];
+  }
+  return forces;
+}
+
 std::optional<Start> inSituStart(const SceneParts& parts) {
-  const std::vector<Load>& loads = parts.scene.model.loads;
-  const bool isStressed = std::any_of(loads.begin(), loads.end(), [](const Load& load) { return load.kind == Load::Kind::InitialStress; });
-  if (!isStressed || !parts.scene.laws.restrictSliding()) return std::nullopt;
+  if (!isStressed(parts.scene.model) || !parts.scene.laws.restrictSliding()) return std::nullopt;
   Start start;
+  start.carried = inSituForces(parts);
   for (const SubdomainMesh& mesh : parts.cut.meshes) {
     start.displacement.push_back(Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension));
     for (const ContactRow& row : mesh.contactRows) start.status[row.pair.id] = parts.scene.laws.of(row.pair.line).pressed();
@@ -95,7 +139,7 @@ Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& i
 
 void writeState(const SceneParts& parts, const Solution& solution) {
   writeCheckpoint(parts.run.comm(), checkpointIn(parts.run.folder()), parts.cut.whole.hash, parts.cut.meshes, solution,
-                  parts.followsPath() ? parts.path->state(solution.pairs) : PathState());
+                  parts.followsPath() ? pathStateOf(parts, solution.pairs) : PathState());
 }
 
 std::string checkpointIn(const std::string& folder) { return (std::filesystem::path(folder) / "checkpoint.h5").string(); }

@@ -8,6 +8,7 @@
 #include <suture/simulation/Scene.hpp>
 #include <suture/solver/Method.hpp>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,8 @@ struct SceneParts {
   std::shared_ptr<const PhasePlan> plan{};
   std::unique_ptr<const PhaseScene> phase{};  ///< the present phase; null without phases
   int phaseNumber = 0;
+  /// Pair of a placed body -> part of its gap by which the body fits to a deformed side [length]; on rank 0.
+  std::map<int, double> fits{};
   std::vector<Vector> reference{};  ///< displacements at the time of `Output/Displacements Since`, by mesh; empty before
   double megabytes = 0.0;           ///< memory for all ranks, estimated
   double liftWork = 0.0;            ///< work of the loads in the rigid motions removed, missing in the energies of the method
@@ -53,6 +56,8 @@ struct SceneParts {
   double firstTime() const;
   /// Hash of the mesh, on rank 0; with phases that of the whole mesh.
   std::string meshHash() const { return plan ? plan->mesh->hash() : cut.whole.hash; }
+  /// Adds the fits to the gaps of the pairs, before the mesh is cut. Local.
+  void fitPairs();
   /// Names of all contacts on the path, of which the present phase may have only some.
   const std::vector<std::string>& contactsOfPath() const { return plan ? plan->whole.contacts : scene.contacts; }
   /// Time of `Output/Displacements Since`, if it has been reached; the same on all ranks.
@@ -71,8 +76,12 @@ std::unique_ptr<Method> preparedMethod(const SceneParts& parts, std::unique_ptr<
 Start startOf(const Comm& comm, const Solution& solution);
 
 /// Initial guess of a frictional scene with initial stresses: no displacement, and all pairs stick. In-situ stress states usually satisfy
-/// the laws, and the rigid bodies from which a search starts otherwise know nothing of them. Nothing for other scenes.
+/// the laws, and the rigid bodies from which a search starts otherwise know nothing of them. Nothing for other scenes. Collective.
 std::optional<Start> inSituStart(const SceneParts& parts);
+
+/// Forces and deformations of bodies whose stress is their initial stress: the scale of a solution that is zero up to round-off, because
+/// loads and initial stresses are in equilibrium. Empty without initial stresses. Collective.
+std::vector<BodyForces> inSituForces(const SceneParts& parts);
 
 /// Settles undetermined motions, adds errors, verdict and extremes to a solution. Collective.
 /// \param subdomains  as in verifySolution()

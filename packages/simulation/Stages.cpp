@@ -16,6 +16,7 @@
 #include <suture/simulation/PathFollower.hpp>
 #include <suture/simulation/PhaseChange.hpp>
 #include <suture/simulation/ReadStage.hpp>
+#include <suture/simulation/Restart.hpp>
 #include <suture/simulation/Stages.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolverSchema.hpp>
@@ -153,6 +154,21 @@ void PreparedScene::prepareMethod() {
   parts.size.interfaceDofs = method_->interfaceUnknowns();
 }
 
+PreparedScene PreparedScene::nextPhase(const SceneParts& parts, const Solution& solution) {
+  const int number = parts.phaseNumber + 1;
+  PhaseChange change(parts, solution);
+  MeshedScene meshed = MeshedScene::of(partsOfPhase(parts.run, parts.plan, number));
+  change.fit(*meshed.parts_, parts.plan->phases.absent(number - 1));
+  PartitionedScene partitioned = cut(std::move(meshed));
+  SceneParts& next = *partitioned.parts_;
+  change.goOn(next);
+  next.path->setTime(next.firstTime(), next.scene.model, next.cut.meshes, next.constraints);
+  PreparedScene prepared = prepare(check(std::move(partitioned)));
+  prepared.start_ = change.start();
+  prepared.restart_ = change.path();
+  return prepared;
+}
+
 void PreparedScene::remark() const {
   RunMonitor& monitor = parts_->run.monitor();
   const auto add = [&](const std::vector<std::string>& notes) {
@@ -164,20 +180,59 @@ void PreparedScene::remark() const {
   add(lockingNotes(scene.model));
   add(loadNotes(scene.model));
   add(looseTolerances(scene.settings()));
-  add(overlaps_.drawn(scene));
+  add(overlaps_->drawn(scene));
 }
 
 void PreparedScene::startFrom(const std::string& restart) {
   SceneParts& parts = *parts_;
-  if (!restart.empty() && parts.plan)
-    throw InputError("--restart",
-                     "a scene whose bodies are removed or placed cannot be continued from a checkpoint; run it from its beginning");
-  if (!restart.empty())
+  if (!restart.empty() && parts.plan) {
+    goOnInPhase(restart);
+    return;
+  }
+  if (!restart.empty()) {
     start_ = readCheckpoint(parts.run.comm(), restart, parts.cut.whole.hash, parts.cut.meshes, &restart_);
-  else if (!parts.scene.levels.empty() && method_->takesStart())
+    requireSameChanges(restart_, nullptr, restart);
+    restore(parts, restart_);
+  } else if (!parts.scene.levels.empty() && method_->takesStart())
     start_ = startFromLevels(parts.run.commPtr(), parts.scene, parts.cut.meshes, parts.run.monitor());
   else if (method_->takesStart() && parts.scene.settings().sublist("Outer Solver").get<std::string>("Start") == "Nested")
     throw InputError("Outer Solver/Start", "Nested, but the scene has no coarser levels (Scene::levels)");
+}
+
+/// Replaces the scene by another one.
+void PreparedScene::adopt(PreparedScene other) {
+  parts_ = std::move(other.parts_);
+  method_ = std::move(other.method_);
+  overlaps_.emplace(std::move(*other.overlaps_));
+  start_ = std::move(other.start_);
+  restart_ = std::move(other.restart_);
+}
+
+/// Replaces the scene by the phase in which a checkpoint was written, or by the next one if it was written at its end.
+void PreparedScene::goOnInPhase(const std::string& restart) {
+  const RunContext run = parts_->run;
+  const std::shared_ptr<const PhasePlan> plan = parts_->plan;
+  PathState state = readPath(run.comm(), restart);
+  requireSameChanges(state, &plan->phases, restart);
+  const double time = state.rows.back().time;
+  const int number = plan->phases.phaseAt(time);
+  method_.reset();
+  MeshedScene meshed = MeshedScene::of(partsOfPhase(run, plan, number));
+  for (const PathState::Fit& fit : state.fits) meshed.parts_->fits[fit.pair] = fit.gap;
+  meshed.parts_->fitPairs();
+  PartitionedScene partitioned = cut(std::move(meshed));
+  SceneParts& parts = *partitioned.parts_;
+  Start start = readCheckpoint(run.comm(), restart, parts.cut.whole.hash, parts.cut.meshes, &state);
+  restore(parts, state);
+  if (time < plan->phases.end(number) || number + 1 == plan->phases.count()) {
+    adopt(prepare(check(std::move(partitioned))));
+    start_ = std::move(start);
+    restart_ = std::move(state);
+    return;
+  }
+  parts.path->goOnFrom(state);
+  run.monitor().note(continuesText(parts));
+  adopt(nextPhase(parts, lastSolution(parts, start, state)));
 }
 
 namespace {
@@ -237,21 +292,13 @@ void SolvedScene::followPath(std::optional<Start> start, PathState restart) {
 
 /// Replaces the scene by its next phase, with the state at the end of the present one. \param start  receives the start of its solver
 PathState SolvedScene::enterNextPhase(std::optional<Start>& start) {
-  const std::set<std::string> absentBefore = parts_->plan->phases.absent(parts_->phaseNumber);
-  PhaseChange change(*parts_, solution_);
   method_.reset();
-  MeshedScene meshed = MeshedScene::of(partsOfPhase(parts_->run, parts_->plan, parts_->phaseNumber + 1));
-  change.fit(*meshed.parts_, absentBefore);
-  PartitionedScene partitioned = cut(std::move(meshed));
-  SceneParts& next = *partitioned.parts_;
-  change.goOn(next, next.firstTime());
-  next.path->setTime(next.firstTime(), next.scene.model, next.cut.meshes, next.constraints);
-  PreparedScene prepared = prepare(check(std::move(partitioned)));
+  PreparedScene prepared = PreparedScene::nextPhase(*parts_, solution_);
   parts_ = std::move(prepared.parts_);
   method_ = std::move(prepared.method_);
-  overlaps_.emplace(std::move(prepared.overlaps_));
-  start = change.start();
-  return change.path();
+  overlaps_.emplace(std::move(*prepared.overlaps_));
+  start = std::move(prepared.start_);
+  return std::move(prepared.restart_);
 }
 
 JudgedScene judge(SolvedScene solved) {

@@ -37,7 +37,7 @@ class MeshedScene {
  private:
   static MeshedScene of(std::unique_ptr<SceneParts> parts);
   friend MeshedScene read(RunContext run, Scene scene);
-  friend class SolvedScene;
+  friend class PreparedScene;
   friend class PartitionedScene;
   std::unique_ptr<SceneParts> parts_;
   std::unique_ptr<Method> method_;
@@ -58,7 +58,7 @@ class PartitionedScene {
   friend class CheckedScene check(PartitionedScene scene);
   friend class CheckedScene;
   friend class CoupledScene;
-  friend class SolvedScene;
+  friend class PreparedScene;
   explicit PartitionedScene(MeshedScene meshed) : parts_(std::move(meshed.parts_)), method_(std::move(meshed.method_)) {}
   std::unique_ptr<SceneParts> parts_;
   std::unique_ptr<Method> method_;
@@ -104,10 +104,13 @@ class PreparedScene {
   friend class CoupledScene;
   explicit PreparedScene(CheckedScene checked)
       : parts_(std::move(checked.parts_)), method_(std::move(checked.method_)), overlaps_(std::move(checked.overlaps_)) {}
+  static PreparedScene nextPhase(const SceneParts& parts, const Solution& solution);
   void prepareMethod();
+  void adopt(PreparedScene other);
+  void goOnInPhase(const std::string& restart);
   std::unique_ptr<SceneParts> parts_;
   std::unique_ptr<Method> method_;
-  OverlapNotes overlaps_;
+  std::optional<OverlapNotes> overlaps_;
   std::optional<Start> start_;
   PathState restart_;  // path of a checkpoint
 };

@@ -44,6 +44,8 @@ Vector ClusterScales::energies(const InterfaceState& state) const {
   return sums;
 }
 
+double ClusterScales::negligible() const { return std::max(run_.settings.tolerance, kNegligibleEnergyNorm / run_.settings.tolerance); }
+
 void ClusterScales::scaleBy(const InterfaceState* from, const InterfaceState& start, const MultiVector& load) {
   const Vector energy = from ? energies(*from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
   lift_ = energies(start).cwiseSqrt();
@@ -55,10 +57,14 @@ void ClusterScales::scaleBy(const InterfaceState* from, const InterfaceState& st
   // With friction the last solution may be only round-off, for example if all pairs stick and prescribed displacements cause all the
   // motion. The energy norm of the solution is at least that of the correction minus that of the start.
   const bool isRough = contact_.laws().restrictSliding();
+  // Where loads are in equilibrium with initial stresses, or return to zero, the whole solution is round-off of what the bodies carry, and
+  // no residual is small compared with it: the scale is at least an energy that is negligible beside theirs (as in overestimate()).
+  const double least = isRough ? negligible() : 0.0;
   // One cluster needs no scaling; an automatic tolerance needs the global error.
   if (oneCluster() || run_.automatic.on()) {
     reference_ = std::sqrt(energy.sum());
-    if (isRough) reference_ = std::max(reference_, preconditionedNorm(*run_.preconditioner, load) - lift_.norm());
+    if (isRough)
+      reference_ = std::max({reference_, preconditionedNorm(*run_.preconditioner, load) - lift_.norm(), least * std::sqrt(found_.sum())});
     if (run_.automatic.on() && reference_ == 0.0) {  // it needs the size of the solution
       reference_ = preconditionedNorm(*run_.preconditioner, load);
       run_.automatic.startsFrom(reference_);
@@ -67,11 +73,15 @@ void ClusterScales::scaleBy(const InterfaceState* from, const InterfaceState& st
   }
   const Vector ofParts = productsByPart(contact_, *run_.preconditioner, load);
   Vector fresh = Vector::Zero(energy.size());
-  for (std::size_t p = 0; p < clusterOf_.size(); ++p) fresh(clusterOf_[p]) += ofParts(static_cast<Eigen::Index>(p));
+  Vector carried = Vector::Zero(energy.size());
+  for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
+    fresh(clusterOf_[p]) += ofParts(static_cast<Eigen::Index>(p));
+    carried(clusterOf_[p]) += found_(static_cast<Eigen::Index>(p));
+  }
   size_.resize(energy.size());
   for (Eigen::Index c = 0; c < size_.size(); ++c) {
     const double first = std::sqrt(std::max(fresh(c), 0.0)), last = std::sqrt(std::max(energy(c), 0.0));
-    size_(c) = isRough ? std::max(last, first - lift_(c)) : last > 0.0 ? last : first;
+    size_(c) = isRough ? std::max({last, first - lift_(c), least * std::sqrt(carried(c))}) : last > 0.0 ? last : first;
   }
   size_ = size_.cwiseMax(lentNorms(size_));
   largestScale_ = size_.maxCoeff() > 0.0 ? size_.maxCoeff() : 1.0;
@@ -138,6 +148,7 @@ ClusterScales::Norm ClusterScales::norm(const MultiVector& residual, const Inter
     const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
     const double size = scaled_ ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
     least(at) = std::max({kPassive * size * size, lift * lift, lent(cluster) * lent(cluster)});
+    if (contact_.laws().restrictSliding()) least(at) = std::max(least(at), negligible() * negligible() * found_(at));
     if (own(at) == 0.0 || (energy(at) <= nothing(at) && own(at) <= nothing(at))) continue;
     sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
   }

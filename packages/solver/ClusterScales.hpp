@@ -53,6 +53,8 @@ class ClusterScales {
 
  private:
   Vector energies(const InterfaceState& state) const;
+  /// Energy norm of a solution relative to that of the largest one on the path, below which it is negligible.
+  double negligible() const;
   Vector lentNorms(const Vector& norms) const;
 
   OuterSolver::Run& run_;

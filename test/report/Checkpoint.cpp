@@ -100,10 +100,23 @@ TEUCHOS_UNIT_TEST(Checkpoint, KeepsThePathOfLoadSteps) {
   }
   for (const PairResult& pair : sample.solution_.pairs)
     written.pairs.push_back({pair.id, {{0.1 * pair.id, 1.0 / 3.0, 0}, pair.id % 2 == 1, 0.7}, 2.0 + pair.id, {0, 0.25, 0.5}});
+  written.changes = "t = 1: 'core' removed";
+  written.released = {{1.0, 1, {0.1, -1.0 / 3.0, 0.0}}};
+  written.fits = {{3, 1.0 / 7.0}};
+  written.since = 2.0 / 3.0;
+  for (const Vector& u : sample.solution_.displacement) written.reference.push_back(u / 3.0);
   writeCheckpoint(*sample.comm_, path, "hash", sample.subdomains_, sample.solution_, written);
-  PathState read;
+  PathState read = readPath(*sample.comm_, path);
+  TEST_EQUALITY(read.rows.size(), 3u);
+  TEST_EQUALITY(read.changes, written.changes);
+  TEST_EQUALITY(read.released.size(), 1u);
+  TEST_ASSERT(read.released[0].removal == 1.0 && read.released[0].node == 1 && read.released[0].force == written.released[0].force);
+  TEST_ASSERT(read.fits.size() == 1 && read.fits[0].pair == 3 && read.fits[0].gap == 1.0 / 7.0);
   readCheckpoint(*sample.comm_, path, "hash", sample.subdomains_, &read);
   TEST_EQUALITY(read.length, 0.125);
+  TEST_EQUALITY(read.since, written.since);
+  TEST_EQUALITY(read.reference.size(), written.reference.size());
+  for (std::size_t s = 0; s < read.reference.size(); ++s) TEST_ASSERT(read.reference[s] == written.reference[s]);
   TEST_EQUALITY(read.rows.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const StepRow &a = read.rows[i], &b = written.rows[i];
