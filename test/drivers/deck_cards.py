@@ -134,7 +134,7 @@ code, said = convert("late", bar_deck("*END STEP\n*STEP\n*STATIC\n*BOUNDARY\nrig
                                       "*ELEMENT, TYPE=S4, ELSET=skin\n900, 1, 4, 8, 5\n*SHELL SECTION, ELSET=skin, MATERIAL=M\n0.1\n"
                                       "*ELEMENT, TYPE=S4, ELSET=face\n901, 1, 2, 3, 4\n", support="*BOUNDARY\nleft, 1, 3\nturned, 3, 3\n"))
 check("late: exit code", (code, said if code else ""), (0, ""))
-for words in ("*BOUNDARY on 'right' begins in step 2, ends in step 3; a scene has the same supports in all its steps: it begins with step 3",
+for words in ("*BOUNDARY on 'right' begins in step 2, ends in step 3; a scene has the same supports in all its steps; therefore the scene begins with step 3",
               "*BOUNDARY on 'turned' ends in step 3", "*TRANSFORM, TYPE=S: only rectangular and cylindrical axes",
               "at nodes without solid elements such as node 77", "*CLOAD on 'all': direction 4", "1 element of the type S4"):
     check(f"late: lists '{words}'", words in said, True)

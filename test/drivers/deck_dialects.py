@@ -164,6 +164,14 @@ check("group: reason", group.reason, "*COUPLING: a load of the reference node 99
 one, two = Bar(2), Bar(2, begin=2, first=100)
 laws = (one.text("A") + two.text("B") + MATERIAL + "*SOLID SECTION, ELSET=A, MATERIAL=M\n*SOLID SECTION, ELSET=B, MATERIAL=M\n*SURFACE, NAME=SA\n2, S4\n"
         "*SURFACE, NAME=SB\n101, S6\n*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={law}\n*CONTACT PAIR, INTERACTION=I\nSB, SA\n")
+# With friction the scene keeps all steps, with the supports of the last one.
+code, said = convert("friction", laws.replace("{law}", "HARD\n*FRICTION\n0.3") + nset("left", one.at(0)) + nset("right", two.at(4)) + "*BOUNDARY\nleft, 1, 3\nright, 2, 3\n"
+                     "*STEP\n*STATIC\n*CLOAD\nright, 1, -1.\n*END STEP\n*STEP\n*STATIC\n*BOUNDARY, OP=NEW\nleft, 1, 3\nright, 1, 1, -0.01\n*END STEP\n")
+check("friction: listed", (code, said.count("in all its steps: here those of the last step; with friction the results depend on those of earlier steps")), (0, 2))
+for words in ("direction 1, begins in step 2;", "directions 2, 3, ends in step 2;"):
+    check(f"friction: '{words}'", f"*BOUNDARY on 'right', {words}" in said, True)
+check("friction: steps", entry(scene("friction"), "Load Steps", "Times"), "{1.0, 2.0}")
+check("friction: supports of the last step", [(e.get("name"), entry(e, "Components")) for e in conditions("friction", "Displacement")], [("left", None), ("right", "x")])
 
 
 def law_of(text):

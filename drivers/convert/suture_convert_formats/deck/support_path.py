@@ -23,26 +23,28 @@ class SupportPath:
 
     def _list(self, active, first):
         """One finding for each set or card whose supports change"""
-        changes = {}
+        found, frozen = {}, {}  # Source -> changes -> directions; Source -> step
         for key in sorted(set().union(*active)):
-            own = changes.setdefault(self.nodal.source[key], {})
-            for number, (before, after) in enumerate(zip(active, active[1:]), 1):
-                if (key in before) != (key in after):
-                    own[number, "begins" if key in after else "ends"] = None
-        frozen = {self.nodal.source[key]: step for key, step in self.track.frozen.items()}
-        for source, own in changes.items():
-            if own:
-                text = ", ".join(f"{what} in step {self.steps.all[number].number}" for number, what in sorted(own))
-                self.findings.leave(source.place, f"*BOUNDARY on '{source.name}' {text}; {self._consequence(first)}")
-            if source in frozen:
-                self.findings.leave(source.place, f"*BOUNDARY, FIXED on '{source.name}': the displacements at the beginning of step "
-                                                  f"{frozen[source].number} are not known before a solution; the scene holds them at zero")
+            changes = tuple((number, "begins" if key in after else "ends") for number, (before, after) in enumerate(zip(active, active[1:]), 1)
+                            if (key in before) != (key in after))
+            found.setdefault(self.nodal.source[key], {}).setdefault(changes, set()).add(key[1])
+            if key in self.track.frozen:
+                frozen[self.nodal.source[key]] = self.track.frozen[key]
+        for source, by_changes in found.items():
+            for changes, directions in by_changes.items():
+                if changes:
+                    which = f", direction{'s' if len(directions) > 1 else ''} {', '.join(map(str, sorted(directions)))}," if len(by_changes) > 1 else ""
+                    text = ", ".join(f"{what} in step {self.steps.all[number].number}" for number, what in changes)
+                    self.findings.leave(source.place, f"*BOUNDARY on '{source.name}'{which} {text}; {self._consequence(first)}")
+        for source, step in frozen.items():
+            self.findings.leave(source.place, f"*BOUNDARY, FIXED on '{source.name}': the displacements at the beginning of step {step.number} are not "
+                                              "known before a solution; the scene holds them at zero")
 
     def _consequence(self, first):
         same = "a scene has the same supports in all its steps"
         if self.history:
             return f"{same}: here those of the last step; with {self.history} the results depend on those of earlier steps"
-        return f"{same}: it begins with step {self.steps.all[first].number}, whose results do not depend on those of earlier steps"
+        return f"{same}; therefore the scene begins with step {self.steps.all[first].number}, whose results do not depend on those of earlier steps"
 
 
 def history_of(cards, contacts):
