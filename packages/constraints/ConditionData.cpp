@@ -36,7 +36,9 @@ ConditionData readConditionData(const Parameters& condition, const Constants& co
   const auto type = condition.get<std::string>("Type");
   const ConditionForm& form = formNamed(type);
   const std::string components = form.isPartial() ? condition.get<std::string>("Components") : "All";
-  const std::vector<std::string> names = form.expressions(dimension, components);
+  const bool isDirected =
+      form.type == Condition::Type::Displacement && (condition.isParameter("Direction") || condition.isParameter("Along"));
+  const std::vector<std::string> names = isDirected ? std::vector<std::string>{"Expression"} : form.expressions(dimension, components);
   if (names.empty()) return {};  // 3D components in 2D, which readConditions() reports
   const std::string alternative = form.varies ? ", or " + joined(names) : "";
   const bool valued = condition.isParameter("Value");

@@ -1,5 +1,6 @@
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/ConditionForm.hpp>
+#include <suture/constraints/SupportDirection.hpp>
 
 #include <algorithm>
 #include <set>
@@ -22,7 +23,15 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 const std::vector<ConditionForm>& conditionForms() {
   static const std::vector<ConditionForm> all{
-      {"Displacement", Type::Displacement, Place::Sides, kVector, kVectorInSpace, true, {}, {"Point", "Tolerance"}, ""},
+      {"Displacement",
+       Type::Displacement,
+       Place::Sides,
+       kVector,
+       kVectorInSpace,
+       true,
+       {},
+       {"Point", "Tolerance", "Direction", "Along", "Axis Point"},
+       ""},
       {"Bilateral", Type::Bilateral, Place::Sides, {}, {}, false, {}, {}, "the normal displacement is zero"},
       {"Traction", Type::Traction, Place::Sides, kVector, kVectorInSpace, true, {}, {}, ""},
       {"Pressure", Type::Pressure, Place::Sides, kScalar, kScalar, true, {}, {}, ""},
@@ -181,7 +190,16 @@ Schema boundaryConditionSchema() {
             "Point Force, Displacement at a Point: largest distance of the nearest node; by default 1e-6 of the bodies' extent",
             Range::positive(), "length")
       .optional()
-      .reals("Direction", std::nullopt, "Preload: the axis of the bolt, a vector of any length")
+      .reals("Direction", std::nullopt,
+             "a vector of any length. Displacement: only the component along it is prescribed, with one number in Value; with Along, it is "
+             "the direction of the axis. Preload: the axis of the bolt")
+      .optional()
+      .oneOf("Along", std::nullopt, SupportDirection::names(),
+             "Displacement: the only component that is prescribed. Direction: along the vector Direction, the default if there is one; "
+             "Radius: away from the axis through Axis Point along Direction, in 2D perpendicular to the plane; Circumference: around this "
+             "axis, counterclockwise if Direction points to the viewer")
+      .optional()
+      .reals("Axis Point", std::nullopt, "Displacement with Along: a point of the axis, by default the origin", "length")
       .optional()
       .real("Length", std::nullopt,
             "Preload: distance between the places where the force enters and leaves the body, as between head and nut", Range::positive(),

@@ -51,10 +51,11 @@ void findNode(const Mesh& mesh, Condition& condition, Problems& problems) {
 
 /// Checks components and data of a displacement made in C++; the schema already checks those of a scene file.
 void checkComponents(const Mesh& mesh, const Condition& condition, Problems& problems) {
-  const std::size_t count = condition.components.size(),
+  const std::size_t count = condition.direction ? 1 : condition.components.size(),
                     given = condition.data.expressions.empty() ? condition.data.values.size() : condition.data.expressions.size();
   const bool known =
       std::all_of(condition.components.begin(), condition.components.end(), [&](int k) { return k >= 0 && k < mesh.dimension; });
+  if (condition.direction && norm(condition.direction->vector) == 0.0) problems.add(condition.path + "/Direction", "the vector is zero");
   if (count == 0 || !known)
     problems.add(condition.path + "/Components", "expected components between 0 and " + std::to_string(mesh.dimension - 1));
   if (given != count)
@@ -75,6 +76,7 @@ class Entry {
     condition_.type = form_->type;
     readPlace();
     readComponents();
+    readDirection();
     readData();
     checkSpecials();
     readSupport();
@@ -131,6 +133,38 @@ class Entry {
       if (components == "All" || components.find("xyz"[k]) != std::string::npos) condition_.components.push_back(k);
   }
 
+  /// Reads the direction of a Displacement that prescribes only the component along it.
+  void readDirection() {
+    const bool isGiven = list_.isParameter("Direction"), hasKind = list_.isParameter("Along");
+    if (condition_.type != Type::Displacement || !(isGiven || hasKind)) {
+      if (condition_.type == Type::Displacement && list_.isParameter("Axis Point"))
+        wrong("Axis Point", "only a Displacement with Along takes this parameter");
+      return;
+    }
+    if (list_.get<std::string>("Components") != "All") wrong("Components", "found together with a direction; expected only one of them");
+    SupportDirection direction;
+    const auto& names = SupportDirection::names();
+    if (hasKind)
+      direction.along = SupportDirection::Along(std::find(names.begin(), names.end(), list_.get<std::string>("Along")) - names.begin());
+    const bool hasAxis = direction.along != SupportDirection::Along::Direction, isFlat = mesh_.dimension == 2;
+    if (hasAxis && isFlat && isGiven) wrong("Direction", "the axis of a 2D scene is perpendicular to the plane; leave Direction out");
+    if (hasAxis && mesh_.axisymmetric) wrong("Along", "in axisymmetric scenes x is the radius: use Components");
+    if (!isGiven && !(hasAxis && isFlat)) wrong("Direction", "is missing: Along needs it");
+    if (!hasAxis && list_.isParameter("Axis Point")) wrong("Axis Point", "a constant direction has no axis");
+    readVector("Direction", direction.vector);
+    readVector("Axis Point", direction.origin);
+    if (isGiven && norm(direction.vector) == 0.0) wrong("Direction", "the vector is zero");
+    condition_.direction = direction;
+    condition_.components = {0};
+  }
+
+  void readVector(const char* name, Point& vector) {
+    if (!list_.isParameter(name)) return;
+    const auto& values = list_.get<Teuchos::Array<double>>(name);
+    vector = {0, 0, 0};
+    std::copy_n(values.begin(), std::min<std::size_t>(std::size_t(values.size()), 3), vector.begin());
+  }
+
   void readData() {
     if (!form_->components.empty()) {
       condition_.data = readConditionData(list_, constants_, problems_, mesh_.dimension);
@@ -179,7 +213,7 @@ class Entry {
         wrong(parameter, "only " + takersOf(parameter) + " takes this parameter; found in " + withArticle(form_->name));
     for (const std::string& parameter : form_->needs)
       if (!list_.isParameter(parameter)) wrong(parameter, "is missing: " + withArticle(form_->name) + " needs it");
-    for (const char* vector : {"Point", "Direction"})
+    for (const char* vector : {"Point", "Direction", "Axis Point"})
       if (form_->takes(vector) && list_.isParameter(vector))
         if (const auto count = static_cast<int>(list_.get<Teuchos::Array<double>>(vector).size()); count != mesh_.dimension)
           wrong(vector, std::to_string(count) + " coordinates; expected " + std::to_string(mesh_.dimension));
@@ -204,6 +238,12 @@ Condition Condition::displacement(const std::string& group, const std::vector<do
   condition.groups = {group};
   condition.components = components;
   condition.data.values = values;
+  return condition;
+}
+
+Condition Condition::along(const std::string& group, const SupportDirection& direction, double value) {
+  Condition condition = displacement(group, {value}, {0});
+  condition.direction = direction;
   return condition;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Errors.hpp>
 #include <suture/constraints/ConditionData.hpp>
+#include <suture/constraints/SupportDirection.hpp>
 #include <suture/mesh/Mesh.hpp>
 
 #include <array>
@@ -35,14 +36,15 @@ struct Condition {
   std::string name;
   std::string path;  ///< "Boundary Conditions/push", for messages
   Type type = Type::Bilateral;
-  std::vector<std::string> groups;  ///< side groups; none for body loads, and for conditions at a point
-  std::optional<Point> point;       ///< position of the node that a Displacement holds, instead of groups; reference point of a RigidGroup
-  double tolerance = 0.0;           ///< largest distance of that node [length]; 0: 1e-6 of the bodies' extent
-  int node = -1;                    ///< that node, once found by conditionsOn() or readConditions()
-  std::vector<int> components;      ///< prescribed by a Displacement
-  ConditionData data;               ///< data of each component, also for loads; none for types without a value
-  std::string body;                 ///< body of a body load or of a node at a point; empty: all bodies
-  int factor = 0;                   ///< number of its factor in LoadSteps
+  std::vector<std::string> groups;            ///< side groups; none for body loads, and for conditions at a point
+  std::optional<Point> point;                 ///< node that a Displacement holds, instead of groups; reference point of a RigidGroup
+  double tolerance = 0.0;                     ///< largest distance of that node [length]; 0: 1e-6 of the bodies' extent
+  int node = -1;                              ///< that node, once found by conditionsOn() or readConditions()
+  std::vector<int> components;                ///< prescribed by a Displacement
+  std::optional<SupportDirection> direction;  ///< the only component that a Displacement prescribes, instead of components
+  ConditionData data;                         ///< data of each component, also for loads; none for types without a value
+  std::string body;                           ///< body of a body load or of a node at a point; empty: all bodies
+  int factor = 0;                             ///< number of its factor in LoadSteps
 
   double normal = 0.0, tangential = 0.0;  ///< stiffness of an ElasticSupport [stress / length]
   /// Prescribed motions of a RigidGroup: displacements of its point [length], rotations about the axes; in 2D the last one about z
@@ -56,6 +58,8 @@ struct Condition {
 
   /// Prescribed displacements of a side group. \param values  one per component [length] \param components  prescribed ones, ascending
   static Condition displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components = {0, 1});
+  /// Prescribed displacement of a side group along a direction only. \param value  [length]
+  static Condition along(const std::string& group, const SupportDirection& direction, double value);
   /// Normal displacement zero, free to slide.
   static Condition bilateral(const std::string& group);
 };

@@ -28,14 +28,26 @@ struct Row {
 };
 using Rows = std::map<int, std::vector<Row>>;  // node -> rows
 
-/// \param problems  gets the first place where an expression has no finite value
+/// \throws InputError  the node is on the axis
+Point directionAt(const Mesh& mesh, const Condition& condition, int node) {
+  if (const auto direction = condition.direction->at(mesh.point(node))) return *direction;
+  throw InputError(condition.path + "/Along", "the node at " + placeText(mesh.point(node), mesh.dimension) +
+                                                  " is on the axis, where neither Radius nor Circumference has a direction");
+}
+
+/// \param problems  gets the first place where an expression has no finite value, or that is on the axis of a direction
 void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions, int number, Rows& rows, Problems& problems) try {
   const Condition& condition = conditions[number];
   std::set<int> nodes;
   if (condition.node >= 0) nodes.insert(condition.node);
   for (const Side& side : sidesOf(mesh.sideGroups, condition.groups))
     for (const int node : mesh.nodesOf(side)) nodes.insert(node);
-  for (const int node : nodes)
+  for (const int node : nodes) {
+    if (condition.direction) {
+      const Row row{directionAt(mesh, condition, node), condition.data.at(0, mesh.point(node)), number, condition.factor};
+      rows[node].push_back(row);
+      continue;
+    }
     for (std::size_t i = 0; i < condition.components.size(); ++i) {
       Row row;
       row.direction[condition.components[i]] = 1;
@@ -44,6 +56,7 @@ void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions,
       row.factor = condition.factor;
       rows[node].push_back(row);
     }
+  }
 } catch (const InputError& error) {
   problems.add(error);
 }

@@ -8,8 +8,9 @@ namespace suture {
 
 /// Nodal rules: Dirichlet and bilateral rows of all conditions, combined at each node.
 ///
-/// Displacement gives one row per prescribed component. Bilateral gives u.n = 0 with the outward normal averaged (by size) over all
-/// bilateral sides that meet at the node, regardless of their conditions; sides that meet at more than 45 degrees give separate rows.
+/// Displacement gives one row per prescribed component, or one along its direction.
+/// Bilateral gives u.n = 0 with the outward normal averaged (by size) over all bilateral sides that meet at the node, regardless of
+/// their conditions; sides that meet at more than 45 degrees give separate rows.
 /// Axisymmetric meshes: u_x = 0 on the axis is imposed automatically.
 /// A row counts if its direction is independent of the preceding ones, up to the number of components. One row: axis 0 of the rule
 /// (Cartesian axes if the direction is Cartesian). Two rows in 3D: axes 0 and 1 span their plane, axis 0 along the first row (Cartesian

@@ -285,3 +285,46 @@ TEUCHOS_UNIT_TEST(NodalRules, ShareTheForceOfANodeAmongTheirConditions) {
   TEST_FLOATING_EQUALITY(beside.at(3)[1], -5.0 / 3, 1e-14);
   TEST_FLOATING_EQUALITY(beside.at(3)[0], 3.0, 1e-14);
 }
+
+// A direction off the axes: the same as a roller on a side with this normal, with a value; and about an axis perpendicular to the plane.
+TEUCHOS_UNIT_TEST(NodalRules, PrescribeTheDisplacementAlongADirection) {
+  const Mesh mesh = stack(1);
+  const auto held = [&](std::vector<std::pair<std::string, std::string>> more) {
+    more.insert(more.begin(), {{"Type", "Displacement"}, {"Group", "b0_right"}});
+    return entry("pull", more);
+  };
+  for (const NodeRule& rule : build(mesh, held({{"Direction", "{3, 4}"}, {"Value", "{0.5}"}})).rules) {
+    TEST_ASSERT(rule.fixed[0] && !rule.fixed[1]);
+    TEST_FLOATING_EQUALITY(rule.axes[0][0], 0.6, 1e-14);
+    TEST_FLOATING_EQUALITY(rule.axes[0][1], 0.8, 1e-14);
+    TEST_EQUALITY(rule.value[0], 0.5);
+  }
+  for (const NodeRule& rule : build(mesh, held({{"Direction", "{0, -2}"}, {"Expression", "y"}})).rules) {
+    TEST_ASSERT(!rule.fixed[0] && rule.fixed[1]);  // Cartesian
+    TEST_EQUALITY(rule.value[1] + mesh.point(rule.node)[1], 0.0);
+  }
+  // A rotation by a small angle about (1, 2) has the displacement (-(y - 2), x - 1) times the angle.
+  const std::string turn =
+      held({{"Along", "Circumference"}, {"Axis Point", "{1, 2}"}, {"Expression", "0.01*sqrt((x - 1)^2 + (y - 2)^2)"}}) +
+      entry("stay", {{"Type", "Displacement"}, {"Group", "b0_right"}, {"Along", "Radius"}, {"Axis Point", "{1, 2}"}, {"Value", "{0}"}});
+  const Constraints turned = build(mesh, turn);
+  TEST_EQUALITY(turned.rules.size(), 3u);
+  for (const NodeRule& rule : turned.rules) {
+    const Point u = fixedValue(rule), p = mesh.point(rule.node);
+    TEST_ASSERT(rule.fixed[0] && rule.fixed[1]);
+    TEST_COMPARE(std::abs(u[0] + 0.01 * (p[1] - 2)), <, 1e-15);
+    TEST_COMPARE(std::abs(u[1] - 0.01 * (p[0] - 1)), <, 1e-15);
+  }
+  SUTURE_CHECK_SAYS(said(mesh, held({{"Along", "Radius"}, {"Axis Point", "{4, 0.5}"}, {"Value", "{0}"}})),
+                    "Boundary Conditions/pull/Along: the node at (4, 0.5) is on the axis");
+  SUTURE_CHECK_SAYS(said(mesh, held({{"Direction", "{3, 4}"}, {"Value", "{0.5, 1}"}})),
+                    "pull/Value: 2 values; this Displacement needs 1 value, or Expression");
+  SUTURE_CHECK_SAYS(said(mesh, held({{"Direction", "{0, 0}"}, {"Value", "{0.5}"}})), "pull/Direction: the vector is zero");
+  SUTURE_CHECK_SAYS(said(mesh, held({{"Direction", "{1, 0, 0}"}, {"Value", "{0.5}"}})), "pull/Direction: 3 coordinates; expected 2");
+  SUTURE_CHECK_SAYS(said(mesh, held({{"Direction", "{1, 0}"}, {"Components", "x"}, {"Value", "{0.5}"}})),
+                    "pull/Components: found together with a direction");
+  SUTURE_CHECK_SAYS(said(mesh, held({{"Along", "Direction"}, {"Value", "{0.5}"}})), "pull/Direction: is missing");
+  SUTURE_CHECK_SAYS(said(mesh, held({{"Along", "Radius"}, {"Direction", "{1, 0}"}, {"Value", "{0.5}"}})),
+                    "pull/Direction: the axis of a 2D scene is perpendicular to the plane");
+  SUTURE_CHECK_SAYS(said(mesh, held({{"Axis Point", "{1, 0}"}, {"Value", "{0.5, 1}"}})), "pull/Axis Point: only a Displacement with Along");
+}

@@ -228,3 +228,29 @@ TEUCHOS_UNIT_TEST(RulesInSpace, ShareTheForceOfANodeAmongTheirConditions) {
   TEST_EQUALITY(count[2], 3 * 2);
   TEST_EQUALITY(count[3], 1);
 }
+
+// Radial, tangential and axial values about an oblique axis, some of them constant and some not: at each node the displacement whose
+// components in the cylindrical axes they are.
+TEUCHOS_UNIT_TEST(RulesInSpace, HaveCylindricalComponentsAboutAnObliqueAxis) {
+  const Mesh mesh = cube(2, Cell::Hexahedron20);
+  const Point axis{1, 2, -2}, origin{-1, 0.5, 3};
+  const std::vector<std::pair<std::string, std::string>> common{{"Type", "Displacement"}, {"Group", "b0_top"}, {"Direction", "{1, 2, -2}"}};
+  const auto with = [&](const std::string& name, std::vector<std::pair<std::string, std::string>> more) {
+    more.insert(more.begin(), common.begin(), common.end());
+    return entry(name, more);
+  };
+  const Constraints all = build(mesh, with("radial", {{"Along", "Radius"}, {"Axis Point", "{-1, 0.5, 3}"}, {"Value", "{0.25}"}}) +
+                                          with("round", {{"Along", "Circumference"}, {"Axis Point", "{-1, 0.5, 3}"}, {"Expression", "x"}}) +
+                                          with("axial", {{"Value", "{-2}"}}));
+  TEST_EQUALITY(all.rules.size(), 21u);
+  for (const NodeRule& rule : all.rules) {
+    const Point p = mesh.point(rule.node), along = scaled(1.0 / 3.0, axis), away = minus(p, origin);
+    const Point radius = unit(minus(away, scaled(dot(away, along), along))), round = cross(along, radius);
+    const Vector u = given(rule);
+    TEST_EQUALITY(fixedOf(rule), 3);
+    const auto component = [&](const Point& d) { return d[0] * u[0] + d[1] * u[1] + d[2] * u[2]; };
+    TEST_COMPARE(std::abs(component(radius) - 0.25), <, 1e-14);
+    TEST_COMPARE(std::abs(component(round) - p[0]), <, 1e-14);
+    TEST_COMPARE(std::abs(component(along) + 2.0), <, 1e-14);
+  }
+}

@@ -5,10 +5,9 @@ deck_cards.py --convert PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR
 import pathlib
 import re
 import sys
-import xml.etree.ElementTree as xml
 
 try:
-    import h5py
+    import h5py  # noqa: F401, which bars needs
     import numpy as np
 except ImportError as missing:
     print(f"skipped: {missing}")
@@ -16,92 +15,11 @@ except ImportError as missing:
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "decks"))
 import samples
-from harness import arguments, check, finish, forked, run
+from bars import MATERIAL, Bar, bar_deck, convert, end_of, entry, nset, scene, solved
+from harness import arguments, check, finish, forked
 
 options = arguments("--convert", "--solve")
 work = options.work
-MATERIAL = "*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*DENSITY\n2.\n*EXPANSION\n1.E-3\n"
-ELEMENTS = {"2": [(0, 0), (1, 0), (1, 1), (0, 1)], "3": [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]}
-
-
-class Bar:
-    """`count` square cells in a row along x from `begin`, of the size `size`; node labels from `first` + 1"""
-
-    def __init__(self, count, begin=0.0, first=0, size=1.0, y=0.0, dimension=3):
-        self.nodes, self.elements, label = {}, {}, {}
-        for cell in range(count):
-            corners = []
-            for corner in ELEMENTS[str(dimension)]:
-                at = (corner[0] + cell, *corner[1:])
-                if at not in label:
-                    label[at] = first + len(label) + 1
-                    self.nodes[label[at]] = [begin + size * at[0], y + size * at[1], *(size * z for z in at[2:]), 0.0][:3]
-                corners.append(label[at])
-            self.elements[first + cell + 1] = corners
-
-    def at(self, x):
-        return [label for label, point in self.nodes.items() if abs(point[0] - x) < 1e-9]
-
-    def text(self, set_, type_="C3D8I"):
-        nodes = "".join(f"{label}, {', '.join(map(repr, map(float, point)))}\n" for label, point in self.nodes.items())
-        return "*NODE\n" + nodes + f"*ELEMENT, TYPE={type_}, ELSET={set_}\n" + "".join(samples.listed([e, *n]) for e, n in self.elements.items())
-
-
-def nset(name, labels):
-    return f"*NSET, NSET={name}\n" + samples.listed(labels)
-
-
-def bar_deck(step, model="", bar=None, type_="C3D8I", section="", support="*BOUNDARY\nleft, 1, 3\n"):
-    bar = bar or Bar(4)
-    ends = nset("left", bar.at(0)) + nset("right", bar.at(4)) + nset("all", list(bar.nodes))
-    return (bar.text("E", type_) + ends + MATERIAL + f"*SOLID SECTION, ELSET=E, MATERIAL=M\n{section}" + model + support
-            + "*STEP\n*STATIC\n" + step + "*END STEP\n")
-
-
-def convert(name, text, *words):
-    source = work / f"{name}.inp"
-    source.write_text(text)
-    return forked(options.convert, source, "--scene", work / f"{name}.xml", "--force", *words)
-
-
-def solved(name, text, *words):
-    """(points, displacements) of a deck's scene, console output of the conversion; None after a failure"""
-    code, said = convert(name, text)
-    check(f"{name}: exit code of suture_convert", (code, said if code else ""), (0, ""))
-    if code:
-        return None, said
-    code, log = run(options.solve, 1, work / f"{name}.xml", "--output", work / name, *words)
-    check(f"{name}: exit code of suture_solve", (code, log if code else ""), (0, ""))
-    if code:
-        return None, said
-    last = sorted((work / name).glob("fields_*.vtkhdf"))[-1]
-    with h5py.File(last) as file:
-        return (file["VTKHDF/Points"][:], file["VTKHDF/PointData/Displacement"][:]), said
-
-
-def end_of(name, text, expected, component=0, x=4.0, left=False):
-    """Checks the mean displacement of the section at x of a bar."""
-    fields, said = solved(name, text)
-    if fields is None:
-        return
-    points, u = fields
-    mean = u[np.abs(points[:, 0] - x) < 1e-9][:, component].mean()
-    check(f"{name}: displacement {mean:.6g} of {expected:.6g}", abs(mean - expected) < 1e-6 * abs(expected), True)
-    check(f"{name}: lists what it does not take over", "not taken over" in said, left)
-
-
-def scene(name):
-    return xml.parse(work / f"{name}.xml").getroot()
-
-
-def entry(root, *path):
-    for name in path:
-        root = next((child for child in root if child.get("name") == name), None)
-        if root is None:
-            return None
-    return root.get("value") if root.tag == "Parameter" else root
-
-
 # Loads on a bar of length 4 and section 1, E = 1000, nu = 0: u = F l / (E A).
 right = Bar(4).at(4)
 end_of("nodal_forces", bar_deck("*CLOAD\nright, 1, 0.25\n"), 4e-3)
@@ -187,7 +105,8 @@ for law, lines, expected, listed in (
         ("sliding", "*SURFACE BEHAVIOR, NO SEPARATION\n", "No Separation", ""),
         ("penalty", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1.E5\n", None, "changed:\n    line 51: *SURFACE BEHAVIOR of 'I': hard contact instead"),
         ("soft", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1.E3\n", None, "not taken over:\n    line 51: *SURFACE BEHAVIOR of 'I': hard contact instead"),
-        ("exponential", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.1, 2.\n", None, "line 51: *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL"),
+        ("exponential", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.1, 2.\n", None, "line 51: *SURFACE BEHAVIOR of 'I': hard contact instead of the pressure by overclosure, exponential"),
+        ("table", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n1., .1\n", None, "line 51: *SURFACE BEHAVIOR of 'I': hard contact instead"),
         ("rough", "*FRICTION, ROUGH\n", None, "line 51: *FRICTION: option ROUGH")):
     code, said = convert(law, pair.format(extra=contact.format(more="")).replace("NAME=I\n", "NAME=I\n" + lines))
     law_of = entry(scene(law), "Contact", "SB on SA", "Law") if code == 0 else said
@@ -209,13 +128,14 @@ code, said = convert("heat", bar_deck(heat, "*INITIAL CONDITIONS, TYPE=TEMPERATU
 check("heat: factors", entry(scene("heat"), "Load Steps", "Factors", "temperature of E"), "{0.25, 1.0, 0.0}")
 hot = entry(scene("heat"), "Boundary Conditions", "temperature of E")
 check("heat: value and reference", (entry(hot, "Value"), entry(hot, "Reference Temperature")), ("{60.0}", "20.0"))
-# Supports that begin or end in a later step, values in turned axes, nodes without elements, surface elements with a section.
+# Supports that begin or end in a later step, values in spherical axes, nodes without elements, surface elements with a section.
 code, said = convert("late", bar_deck("*END STEP\n*STEP\n*STATIC\n*BOUNDARY\nright, 2, 2\n*END STEP\n*STEP\n*STATIC\n*BOUNDARY, OP=NEW\nleft, 1, 3\n*CLOAD\n77, 1, 1.\n"
-                                      "all, 4, 1.\n", "*NODE\n77, 9., 9., 9.\n*NSET, NSET=turned\n5, 6\n*TRANSFORM, NSET=turned\n1., 1., 0., -1., 1., 0.\n"
+                                      "all, 4, 1.\n", "*NODE\n77, 9., 9., 9.\n*NSET, NSET=turned\n5, 6\n*TRANSFORM, NSET=turned, TYPE=S\n1., 1., 0., -1., 1., 0.\n"
                                       "*ELEMENT, TYPE=S4, ELSET=skin\n900, 1, 4, 8, 5\n*SHELL SECTION, ELSET=skin, MATERIAL=M\n0.1\n"
                                       "*ELEMENT, TYPE=S4, ELSET=face\n901, 1, 2, 3, 4\n", support="*BOUNDARY\nleft, 1, 3\nturned, 3, 3\n"))
 check("late: exit code", (code, said if code else ""), (0, ""))
-for words in ("*BOUNDARY on 'right': it begins in step 2", "*BOUNDARY on 'right': it ends in step 3", "values on 'turned' in the axes of *TRANSFORM",
+for words in ("*BOUNDARY on 'right' begins in step 2, ends in step 3; a scene has the same supports in all its steps; therefore the scene begins with step 3",
+              "*BOUNDARY on 'turned' ends in step 3", "*TRANSFORM, TYPE=S: only rectangular and cylindrical axes",
               "at nodes without solid elements such as node 77", "*CLOAD on 'all': direction 4", "1 element of the type S4"):
     check(f"late: lists '{words}'", words in said, True)
 check("late: a surface element without section is a name of sides", said.count("of the type S4"), 1)

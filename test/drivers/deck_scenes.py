@@ -1,4 +1,4 @@
-"""suture_convert --scene on five decks in five dialects: displacements and contact forces agree with CalculiX within two per cent.
+"""suture_convert --scene on decks in several dialects: displacements and contact forces agree with CalculiX within two per cent.
 
 deck_scenes.py --convert PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR [--live]
 
@@ -33,8 +33,8 @@ work = options.work
 reference = json.loads((HERE / "decks" / "reference.json").read_text())
 # Contacts of the scene by the names of CalculiX.
 NAMES = {"press": {"s_Surf on m_Surf": "S on M"}}
-RANKS = {"press": (1,), "strip": (1, 2), "bolt": (1, 4), "shortened_bolt": (1, 2), "blocks": (1, 2), "rings": (1, 2)}
-LEFT = {"rings": ["line 83: 1 element of the type SPRINGA"]}
+RANKS = {"press": (1,), "strip": (1, 2), "bolt": (1, 4), "shortened_bolt": (1, 2), "blocks": (1, 2), "rings": (1, 2), "axes": (2,), "release": (1,)}
+LEFT = {"rings": ["line 83: 1 element of the type SPRINGA"], "release": ["*BOUNDARY on 'Hold' ends in step 2"]}
 
 
 def fields_of(folder):

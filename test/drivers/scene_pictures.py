@@ -25,6 +25,7 @@ from suture_plot_parts.scene_pictures import scene_pictures, unused  # noqa: E40
 from suture_plot_parts.space.gaps import gaps_of_surface  # noqa: E402
 from suture_plot_parts.space.surface import Surface  # noqa: E402
 from suture_plot_parts.step_factors import evaluated, factor_at  # noqa: E402
+from suture_plot_parts.words import Condition  # noqa: E402
 
 SCENES = Path(options.input)
 
@@ -56,6 +57,30 @@ def plane_and_space():
         given = [*scene_data.parameter("Boundary Conditions"), *scene_data.parameter("Contact", default={})]
         lacking = [name for name in given if name not in drawn["scene"] and not any(f"{name}:" in text and "not drawn" in text for text in drawn["scene"])]
         check(f"{scene}: loads, supports and contacts are named", lacking, [])
+
+
+def directions():
+    """Supports of one component in any direction: the vectors along which they are drawn, and their values in words."""
+    class Run:
+        units, dimension = ("mm", "N", "MPa"), 3
+
+    def support(dimension=3, **given):
+        run = Run()
+        run.dimension = dimension
+        return Condition(run, "hold", {"Type": "Displacement", "Group": "bore", **{name.replace("_", " "): value for name, value in given.items()}})
+
+    points = np.array([[1.0, 2.0, 7.0], [4.0, 6.0, -1.0]])
+    along = support(Direction=[0.0, 3.0, 4.0], Value=[0.5])
+    check("support along a direction", (along.axes_at(points).tolist(), along.direction.tolist(), along.amount()),
+          ([[0.0, 0.6, 0.8]] * 2, [0.0, 0.3, 0.4], "u along (0, 3, 4) = 0.5 mm"))
+    radial = support(Along="Radius", Direction=[0.0, 0.0, 2.0], Axis_Point=[1.0, 2.0, 0.0], Value=[0.0])
+    check("radial support", radial.axes_at(points)[1].tolist(), [0.6, 0.8, 0.0])
+    check("radial support in words", radial.amount(), "radial u about the axis through (1, 2, 0) along (0, 0, 2) = 0 mm")
+    round_ = support(2, Along="Circumference", Expression="0.1*x")
+    check("tangential support", np.abs(round_.axes_at(points) @ [[1.0, 4.0], [2.0, 6.0]]).diagonal().max() < 1e-15, True)
+    check("tangential support: anticlockwise", bool(round_.axes_at(points)[0, 1] > 0), True)
+    check("tangential support in words", round_.amount(), "tangential u about the axis through the origin = 0.1*x mm")
+    check("other supports", [support(**given).axes_at(points) is None for given in ({"Value": [0.0] * 3}, {"Components": "xy", "Value": [0.0] * 2})], [True] * 2)
 
 
 def ranks():
@@ -197,6 +222,6 @@ def factors():
     check("no factor; unknown factor", (factor_at(scene, "none", 0.3), factor_at(scene, "other", 0.3)), (1.0, None))
 
 
-for part in (plane_and_space, ranks, surfaces, command, drawn_by_check, enlargement, factors):
+for part in (plane_and_space, directions, ranks, surfaces, command, drawn_by_check, enlargement, factors):
     part()
 finish()

@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/elasticity/loads/LoadList.hpp>
 #include <suture/mesh/Generators.hpp>
 
 #include "SampleCells.hpp"
@@ -250,4 +251,19 @@ TEUCHOS_UNIT_TEST(Loads, OfConstantExpressionsAreThoseOfNumbers) {
   Load push = pressure(0);
   push.expressions = {Expression("5")};
   TEST_COMPARE((sideForces(block, sides, push) - sideForces(block, sides, pressure(5))).norm(), <, 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(Loads, OneNoteNamesAllPointForces) {
+  ElasticModel model;
+  TEST_ASSERT(loadNotes(model).empty());
+  for (int i = 1; i <= 5; ++i) {
+    Load load{Load::Kind::PointForce, "", {1, 0, 0}};
+    load.path = "Boundary Conditions/push " + std::to_string(i);
+    model.loads.push_back(load);
+    const std::vector<std::string> notes = loadNotes(model);
+    TEST_EQUALITY(notes.size(), 1u);
+    const std::string more = " and " + std::to_string(i - 3) + " more";
+    TEST_EQUALITY(notes[0].find(more) != std::string::npos, i > 3);
+    TEST_EQUALITY(notes[0].find("push " + std::to_string(i)) != std::string::npos, i <= 3);
+  }
 }

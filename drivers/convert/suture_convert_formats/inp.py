@@ -3,6 +3,7 @@ import pathlib
 
 from .deck.cards import read_cards
 from .deck.findings import Findings
+from .deck.generators import written_out
 from .deck.model import Model
 from .deck.parts import Assembly
 from .deck.sets import Sets
@@ -18,7 +19,7 @@ def side_sets(sets, place):
 def read(path):
     """\\return Foreign; \\throws ConvertError with all errors"""
     findings = Findings(pathlib.Path(path))
-    assembly = Assembly(read_cards(findings.path, findings), findings)
+    assembly = Assembly(written_out(read_cards(findings.path, findings), findings), findings)
     findings.stop()
     model = Model(assembly, findings)
     sets = Sets(model, findings)

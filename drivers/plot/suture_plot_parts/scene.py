@@ -100,13 +100,14 @@ class Drawing:
     def _supports(self, condition, foot, outward):
         if condition.type == "Bilateral":
             self.signs.rollers(foot, outward, SUPPORT)
-        elif condition.components == "All":
+        elif condition.components in ("All", "xy"):
             self.signs.hatches(foot, outward, SUPPORT)
         else:
-            axis = np.array([1.0, 0.0] if condition.components == "x" else [0.0, 1.0])
-            side = np.where(outward @ axis < -1e-9, -1.0, 1.0)[:, None] * axis
+            axes = condition.axes_at(np.asarray(foot))
+            along = np.einsum("ij,ij->i", outward, axes)
+            side = np.where(along < -1e-9, -1.0, 1.0)[:, None] * axes
             # Holds the tangential direction: drawn next to the side, not on the body.
-            clear = np.where(np.abs(outward @ axis) < 0.5, 0.35 * self.signs.size, 0.0)[:, None]
+            clear = np.where(np.abs(along) < 0.5, 0.35 * self.signs.size, 0.0)[:, None]
             self.signs.rollers(foot + clear * outward, side, SUPPORT)
 
     def obstacle(self, contact, colour):
@@ -138,9 +139,9 @@ class Drawing:
             self.signs.arrows(point, point + step, SUPPORT, filled=False)
             return point + 0.5 * step
         middle = 0.5 * (self.grid.points.min(axis=0) + self.grid.points.max(axis=0))[:2]
-        axis = 0 if condition.components == "x" else 1
-        outward = np.zeros((1, 2))
-        outward[0, axis] = 1.0 if point[0, axis] > middle[axis] else -1.0
+        axes = condition.axes_at(point)
+        outward = np.array([[0.0, 1.0]]) if axes is None else axes
+        outward = outward * (1.0 if outward[0] @ (point[0] - middle) > 0 else -1.0)
         self._supports(condition, point, outward)
         return point + 0.6 * s * outward
 

@@ -32,6 +32,8 @@ class Condition:
         value = given.get("Value")
         self.value = value if isinstance(value, list) or value is None else [value]
         self.components = given.get("Components", "All") if self.type in PARTIAL else "All"
+        if self.type == "Displacement" and (given.get("Direction") or given.get("Along")):
+            self.components = str(given.get("Along", "Direction"))  # one component, not along x, y or z
         self.expressions = {key.replace("Expression", "").strip(): text for key, text in given.items() if key.startswith("Expression")}
         self.motions = {name: given[name] for name in MOTIONS if name in given}
         if self.type == "Rigid Group" and given.get("Force"):
@@ -56,6 +58,8 @@ class Condition:
         dimension = self.run.dimension
         if self.value is not None and len(self.value) >= dimension:
             found = self.value
+        elif self.components == "Direction" and self.value:
+            found = self.value[0] * self.axes_at(np.zeros((1, dimension)))[0]
         elif self.components in ("x", "y", "z") and self.value:
             found = [self.value[0] if axis == self.components else 0.0 for axis in "xyz"]
         elif self.expressions and self.type != "Displacement":
@@ -63,6 +67,24 @@ class Condition:
         else:
             return None
         return None if found is None else np.array(found[:dimension], dtype=float)
+
+    def axes_at(self, points):
+        """Unit vectors at points along the only component that a support holds; None: it holds several, or the normal one"""
+        dimension = self.run.dimension
+        if self.components in ("x", "y", "z"):
+            return np.tile(np.eye(3)["xyz".index(self.components)][:dimension], (len(points), 1))
+        if self.components not in ("Direction", "Radius", "Circumference"):
+            return None
+        axis = np.zeros(3)
+        given = self.given.get("Direction") or [0.0, 0.0, 1.0]
+        axis[:len(given)] = np.array(given, dtype=float) / np.linalg.norm(given)
+        if self.components == "Direction":
+            return np.tile(axis[:dimension], (len(points), 1))
+        away = np.zeros((len(points), 3))
+        away[:, :dimension] = np.asarray(points)[:, :dimension] - np.array(self.given.get("Axis Point") or [0.0] * dimension, dtype=float)
+        radius = away - np.outer(away @ axis, axis)
+        radius /= np.maximum(np.linalg.norm(radius, axis=1), 1e-300)[:, None]
+        return (radius if self.components == "Radius" else np.cross(axis, radius))[:, :dimension]
 
     @property
     def resultant(self):
@@ -81,11 +103,15 @@ class Condition:
             return self._rigid()
         if self.type == "Random Load":
             return f"amplitude {vector(self.given.get('Amplitude', 0))} {self.run.force_unit}"
+        if self.expressions and self.components in ("Direction", "Radius", "Circumference"):
+            return f"{self._component()} = {self.expressions.get('', '')}{unit}"
         if self.expressions:
             acting = {axis: text for axis, text in self.expressions.items() if text.strip() != "0"} or self.expressions
             return ", ".join((f"{axis}: " if axis else "") + text for axis, text in acting.items()) + unit
         if self.value is None:
             return ""
+        if self.components in ("Direction", "Radius", "Circumference"):
+            return f"{self._component()} = {vector(self.value)}{unit}"
         if self.components != "All":
             return f"u_{self.components} = {vector(self.value)}{unit}"
         if self.type == "Displacement" and not any(self.value):
@@ -103,6 +129,14 @@ class Condition:
         if self.given.get("Moment"):
             parts.append(f"moment {vector(as_list(self.given['Moment']))} {force} {length}")
         return ", ".join(parts)
+
+    def _component(self):
+        """Name of the only component that a support with a direction holds"""
+        if self.components == "Direction":
+            return f"u along {vector(self.given['Direction'])}"
+        about = [f"through {vector(self.given['Axis Point'])}"] if self.given.get("Axis Point") else []
+        about += [f"along {vector(self.given['Direction'])}"] if self.given.get("Direction") else []
+        return f"{'radial' if self.components == 'Radius' else 'tangential'} u about the axis {' '.join(about) or 'through the origin'}"
 
     def place(self, short=False):
         """\\param short  abbreviates long lists of groups by families"""

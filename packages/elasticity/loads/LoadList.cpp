@@ -285,12 +285,17 @@ void checkLoads(const ElasticModel& model, Problems& problems) {
 }
 
 std::vector<std::string> loadNotes(const ElasticModel& model) {
-  std::vector<std::string> notes;
+  constexpr std::size_t kNamed = 3;
+  std::vector<std::string> paths;
   for (const Load& load : model.loads)
-    if (load.kind == Kind::PointForce)
-      notes.push_back("the Point Force of " + (load.path.empty() ? std::string("the scene") : load.path) +
-                      " makes the stresses at its node singular: they grow without bound as the mesh is refined");
-  return notes;
+    if (load.kind == Kind::PointForce) paths.push_back(load.path.empty() ? "the scene" : load.path);
+  if (paths.empty()) return {};
+  const std::string singular = " singular: they grow without bound as the mesh is refined";
+  if (paths.size() == 1) return {"the Point Force of " + paths[0] + " makes the stresses at its node" + singular};
+  std::string named;
+  for (std::size_t i = 0; i < std::min(paths.size(), kNamed); ++i) named += (i ? ", " : "") + paths[i];
+  if (paths.size() > kNamed) named += " and " + std::to_string(paths.size() - kNamed) + " more";
+  return {std::to_string(paths.size()) + " Point Forces (" + named + ") make the stresses at their nodes" + singular};
 }
 
 }  // namespace suture

@@ -11,7 +11,7 @@ void readLoads(const Parameters& scene, const Constants& constants, ElasticModel
 /// Checks loads made in C++: numbers of expressions, and everything that is checked for a scene file. Local.
 void checkLoads(const ElasticModel& model, Problems& problems);
 
-/// Notes for the user: singular stresses under point forces. Local.
+/// Notes for the user: singular stresses under point forces, one note for all of them. Local.
 std::vector<std::string> loadNotes(const ElasticModel& model);
 
 }  // namespace suture

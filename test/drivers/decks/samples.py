@@ -1,4 +1,4 @@
-"""Decks in five dialects, each with loads and contact, generated from grids. Each sample has a deck for CalculiX and one in its own dialect.
+"""Decks in several dialects, each with loads and contact, generated from grids. Each sample has a deck for CalculiX and one in its own dialect.
 
 samples.py NAME [--ccx]   prints a deck
 """
@@ -359,7 +359,51 @@ def rings_nodes():
     return text[text.index("*NODE"):text.index("*ELEMENT")]
 
 
-SAMPLES = {"press": press, "strip": strip, "bolt": bolt, "shortened_bolt": lambda ccx: bolt(ccx, 0.01), "blocks": blocks, "rings": rings}
+def turn(axis, degrees):
+    """Matrix of a rotation"""
+    axis, angle = np.array(axis) / np.linalg.norm(axis), np.radians(degrees)
+    cross = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
+    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+
+
+def axes(ccx):
+    """FreeCAD: a sector of a pipe about an oblique axis, with supports and forces in cylindrical axes."""
+    grid, q, origin = Grid((1, 4, 1), (10, 20, 0), (16, 110, 8), "hex20"), turn((1, 1, 0.3), 50), np.array([3.0, -2.0, 1.0])
+    places = {n: q @ [p[0] * np.cos(np.radians(p[1])), p[0] * np.sin(np.radians(p[1])), p[2]] + origin for n, p in grid.points.items()}
+    sets = {"inside": lambda r, a, z: near(r, 10), "outside": lambda r, a, z: near(r, 16), "begin": lambda r, a, z: near(a, 20),
+            "far": lambda r, a, z: near(a, 110), "foot": lambda r, a, z: near(z, 0), "top": lambda r, a, z: near(z, 8)}
+    text = "*NODE, NSET=Nall\n" + "".join(f"{n}, {x:.12g}, {y:.12g}, {z:.12g}\n" for n, (x, y, z) in places.items())
+    text += "*ELEMENT, TYPE=C3D20, ELSET=Evolumes\n" + grid.elements_text() + "*ELSET,ELSET=Eall\nEvolumes\n"
+    text += "".join(f"*NSET,NSET={name}\n" + listed(grid.nodes_where(where)) for name, where in sets.items())
+    text += probes_text(grid.nodes_where(lambda r, a, z: near(z, 8))) + "*TRANSFORM, NSET=Nall, TYPE=C\n"
+    text += ", ".join(f"{x:.12g}" for x in [*origin, *(origin + 5 * q[:, 2])]) + "\n"
+    text += STEEL + "*SOLID SECTION, ELSET=Eall, MATERIAL=STEEL\n*BOUNDARY\nbegin,2\nfar,2\nfoot,3,3,0.\n*STEP\n*STATIC\n"
+    text += "*BOUNDARY\ninside,1,1,-0.02\n*CLOAD\noutside,1,40.\ntop,3,25.\n"
+    return text + prints([]).replace("NSET=probes\n", "NSET=probes, GLOBAL=YES\n") + "*END STEP\n"
+
+
+def release(ccx):
+    """CalculiX: a block is pressed by a given displacement, then released and loaded by a pressure; frictionless."""
+    plate = Grid((4, 4, 1), (0, 0, 0), (16, 16, 4), "hex20")
+    block = Grid((2, 2, 2), (4, 4, 4), (12, 12, 10), "hex20", plate.next_node, plate.next_element)
+    text = "*NODE\n" + plate.nodes_text() + block.nodes_text() + "*ELEMENT, TYPE=C3D20, ELSET=Plate\n" + plate.elements_text()
+    text += "*ELEMENT, TYPE=C3D20, ELSET=Block\n" + block.elements_text()
+    for name, labels in (("top", block.layer(2, 1)), ("low", block.layer(2, 0)), ("upper", plate.layer(2, 1))):
+        text += f"*ELSET, ELSET={name}\n" + listed(labels)
+    text += "*NSET, NSET=foot\n" + listed(plate.nodes_where(lambda x, y, z: z == 0)) + "*NSET, NSET=Hold\n" + listed(block.nodes_where(lambda x, y, z: near(z, 10)))
+    text += "*NSET, NSET=Guide\n" + listed(block.nodes_where(lambda x, y, z: near(x, 8) and near(y, 8)))
+    text += "*NSET, NSET=Turn\n" + listed(block.nodes_where(lambda x, y, z: near(x, 8) and near(z, 10)))
+    text += probes_text(block.nodes_where(lambda x, y, z: near(z, 10))) + "*SURFACE, NAME=S\nlow, S1\n*SURFACE, NAME=M\nupper, S2\n" + STEEL
+    text += "*SOLID SECTION, ELSET=Plate, MATERIAL=STEEL\n*SOLID SECTION, ELSET=Block, MATERIAL=STEEL\n*SURFACE INTERACTION, NAME=SI\n"
+    text += HARD.format(stiffness="5.e6") + "*CONTACT PAIR, INTERACTION=SI, TYPE=SURFACE TO SURFACE\nS, M\n"
+    supports = "foot, 1, 3\nGuide, 1, 2\nTurn, 1\n"
+    output = prints([("S", "M")])
+    text += f"*BOUNDARY\n{supports}*STEP\n*STATIC\n1., 1.\n*BOUNDARY\nHold, 3, 3, -0.001\n*END STEP\n"
+    return text + f"*STEP\n*STATIC\n1., 1.\n*BOUNDARY, OP=NEW\n{supports}*DLOAD\ntop, P2, 60.\n{output}*END STEP\n"
+
+
+SAMPLES = {"press": press, "strip": strip, "bolt": bolt, "shortened_bolt": lambda ccx: bolt(ccx, 0.01), "blocks": blocks, "rings": rings, "axes": axes,
+           "release": release}
 INCLUDED = {"rings": {"rings_nodes.inc": rings_nodes}}
 
 if __name__ == "__main__":

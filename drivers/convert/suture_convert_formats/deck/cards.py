@@ -52,8 +52,27 @@ def number_in(word, place, findings):
 
 
 def unquoted(text):
-    text = text.strip()
-    return text[1:-1] if len(text) > 1 and text[0] == text[-1] == '"' else text
+    """Without quotation marks, also around a part as in "left plate".foot"""
+    return text.replace('"', "").strip()
+
+
+def divided(line):
+    """Words between commas; commas between quotation marks do not divide."""
+    if '"' not in line:
+        return [word.strip() for word in line.split(",")]
+    words, quoted = [""], False
+    for letter in line:
+        quoted ^= letter == '"'
+        if letter == "," and not quoted:
+            words.append("")
+        else:
+            words[-1] += letter
+    return [word.strip() for word in words]
+
+
+def beside(path, name):
+    """The file that a deck names, also in the way of Windows"""
+    return path.parent / (name if (path.parent / name).exists() else name.replace("\\", "/"))
 
 
 def lines(path, depth=0):
@@ -61,7 +80,7 @@ def lines(path, depth=0):
     if depth > DEEPEST:
         raise ConvertError(f"{path} includes itself (*INCLUDE)")
     try:
-        text = path.read_text(encoding="utf-8", errors="replace")
+        text = path.read_text(encoding="utf-8-sig", errors="replace")
     except OSError as error:
         raise ConvertError(f"{path}: {error.strerror}") from error
     held, begin = "", 0
@@ -74,7 +93,7 @@ def lines(path, depth=0):
         if line.startswith("*") and line.endswith(","):
             held, begin = line, place.line
         elif re.match(r"\*\s*INCLUDE\b", line, re.I):
-            yield from lines(path.parent / unquoted(line.partition("=")[2]), depth + 1)
+            yield from lines(beside(path, header(place, line).options.get("INPUT", "")), depth + 1)
         else:
             yield place, line
     if held:
@@ -82,9 +101,13 @@ def lines(path, depth=0):
 
 
 def header(place, line):
-    first, *words = line[1:].split(",")
+    first, *words = divided(line[1:])
     options = {name.strip().upper().replace(" ", ""): unquoted(value) for name, _, value in (word.partition("=") for word in words) if name.strip()}
     return Card(first.upper().replace(" ", ""), "*" + " ".join(first.split()), options, place)
+
+
+def data_row(place, line):
+    return place, [unquoted(word) for word in divided(line[:-1] if line.endswith(",") else line)]
 
 
 def read_cards(path, findings):
@@ -93,8 +116,10 @@ def read_cards(path, findings):
     for place, line in lines(path):
         if line.startswith("*"):
             cards.append(header(place, line))
+            if cards[-1].options.get("INPUT"):  # data lines in a file
+                cards[-1].rows += [data_row(*one) for one in lines(beside(place.file, cards[-1].options.pop("INPUT")), 1)]
         elif not cards:
             findings.error(place, f"expected a keyword (*NODE, ...) before the first data line, found '{line}'")
         else:
-            cards[-1].rows.append((place, [word.strip() for word in (line[:-1] if line.endswith(",") else line).split(",")]))
+            cards[-1].rows.append(data_row(place, line))
     return cards

@@ -7,6 +7,7 @@ import numpy as np
 from .cards import numbers_in
 from .findings import nearest
 from .geometry import mean_edge, project
+from .overclosure import read_overclosure
 
 STIFF = 50.0  # stiffness x size / Young's modulus from which penetrations are below 2 % of the compression of the bodies
 NEAR = 0.05  # default tolerance of *TIE over the length of an edge
@@ -14,13 +15,12 @@ NEAR = 0.05  # default tolerance of *TIE over the length of an edge
 
 @dataclasses.dataclass
 class Interaction:
-    """Law between two surfaces: hard unless `stiffness` [stress / length] is given"""
+    """Law between two surfaces; hard contact without an Overclosure"""
     title: str
     place: object
     friction: float = 0.0
     law: str = "Frictionless"
-    stiffness: float = None
-    behaviour: object = None  # place of *SURFACE BEHAVIOR
+    overclosure: object = None
 
 
 @dataclasses.dataclass
@@ -32,6 +32,7 @@ class Contact:
     law: str
     coefficient: float = 0.0
     gap: float = None
+    overclosure: object = None
 
 
 def read_interactions(cards, findings):
@@ -40,6 +41,8 @@ def read_interactions(cards, findings):
     for card in cards:
         if card.keyword == "SURFACEINTERACTION":
             current = found[card.option("NAME")] = Interaction(card.options.get("NAME", ""), card.place)
+        elif card.keyword == "CHANGEFRICTION":  # listed; what follows changes no other interaction
+            current = Interaction(card.options.get("INTERACTION", ""), card.place)
         elif card.keyword == "FRICTION" and current is not None:
             read_friction(card, current, findings)
         elif card.keyword == "SURFACEBEHAVIOR" and current is not None:
@@ -64,19 +67,11 @@ def read_friction(card, interaction, findings):
 
 
 def read_behaviour(card, interaction, findings):
-    kind = card.option("PRESSURE-OVERCLOSURE", "HARD")
-    if kind == "TIED":
-        interaction.law = "Tied"
-    elif "NOSEPARATION" in card.options:
-        interaction.law = "No Separation"
-    if kind == "LINEAR":
-        values = [value for _, row in card.numbers(findings) for value in row]
-        if not values or not values[0]:
-            findings.error(card.place, f"{card.title}: expected the stiffness of the contact")
-        else:
-            interaction.stiffness, interaction.behaviour = values[0], card.place
-    elif kind not in ("HARD", "TIED"):
-        findings.leave(card.place, f"{card.title}, PRESSURE-OVERCLOSURE={card.options['PRESSURE-OVERCLOSURE']}; hard contact instead")
+    interaction.overclosure = law = read_overclosure(card, findings)
+    if law.kind == "TIED":
+        interaction.law, law.reason = "Tied", "as Tied"
+    elif law.no_separation:
+        interaction.law, law.reason = "No Separation", "as No Separation"
 
 
 class Contacts:
@@ -157,17 +152,25 @@ class Contacts:
         if interaction is None:
             return
         contact.law, contact.coefficient = interaction.law, interaction.friction
-        if interaction.stiffness:
-            self._replace_penalty(interaction, contact)
+        contact.overclosure = interaction.overclosure
+        if interaction.overclosure is not None and interaction.overclosure.is_soft:
+            self._replace_soft(interaction.title, interaction.overclosure, contact)
 
-    def _replace_penalty(self, interaction, contact):
-        """A penalty much stiffer than the bodies is an approximation of hard contact."""
-        ratio = interaction.stiffness * self._size(contact) / self._modulus(contact)
-        text = f"*SURFACE BEHAVIOR of '{interaction.title}': hard contact instead of the linear stiffness {interaction.stiffness:g}"
-        if ratio >= STIFF:
-            self.findings.change(interaction.behaviour, f"{text} ({ratio:.0f} times stiffness over size of the bodies)")
+    def _replace_soft(self, title, law, contact):
+        """Hard contact instead of a pressure by overclosure"""
+        text = f"*SURFACE BEHAVIOR of '{title}': hard contact instead of "
+        if law.kind != "LINEAR" or law.stiffness is None:
+            law.reason = f"{text}the pressure by overclosure, {law.kind.lower()}"
+            self.findings.leave(law.place, law.reason)
+            return
+        ratio = law.stiffness * self._size(contact) / self._modulus(contact)
+        law.reason = f"{text}the linear stiffness {law.stiffness:g}"
+        if ratio >= STIFF:  # an approximation of hard contact
+            law.reason += f" ({ratio:.0f} times stiffness over size of the bodies)"
+            self.findings.change(law.place, law.reason)
         else:
-            self.findings.leave(interaction.behaviour, f"{text}, which is only {ratio:.1f} times stiffness over size of the bodies: a soft layer")
+            law.reason += f", which is only {ratio:.1f} times stiffness over size of the bodies: a soft layer"
+            self.findings.leave(law.place, law.reason)
 
     def _bodies(self, contact):
         elements = np.concatenate([self.mesh.side_groups[side][:, 0] for side in (contact.side_a, contact.side_b)])

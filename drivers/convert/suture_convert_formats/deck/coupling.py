@@ -1,143 +1,194 @@
-"""*COUPLING with *DISTRIBUTING or *KINEMATIC, and *RIGID BODY: conditions at reference nodes."""
+"""*COUPLING with *DISTRIBUTING or *KINEMATIC, *KINEMATIC COUPLING and *RIGID BODY: conditions at reference nodes."""
 import numpy as np
 
 from .cards import numbers_in
 from .conditions import LETTERS
 from .geometry import integrals
+from .rigid_group import ALL, RigidGroup
 from .steps import amount, vectors
 
-ALL = {0, 1, 2, 3, 4, 5}
-
-
-class Coupled:
-    """Sides that a reference node moves or loads"""
-
-    def __init__(self, card, kind, node, rows, title):
-        self.card, self.kind, self.node, self.rows, self.title = card, kind, node, rows, title
-        self.turning, self.motions = (node, 3), set(ALL)  # (node, first rotation) that has the rotations; coupled motions
+SETS = {"NSET": "NSET", "TIENSET": "NSET", "PINNSET": "NSET", "ELSET": "ELSET"}  # options of *RIGID BODY with the members
 
 
 class Couplings:
+    """
+    all    list of RigidGroup
+    nodes  keys of their reference nodes
+    """
+
     def __init__(self, cards, solids, conditions, findings):
         self.solids, self.sets, self.conditions, self.findings = solids, solids.sets, conditions, findings
         self.all = []
-        current = None
+        current, oriented = None, False
         for card in cards:
             if card.keyword == "COUPLING":
-                current = self._read(card, card.options.get("SURFACE", ""), "SURFACE")
+                current = self._read(card, card.options.get("SURFACE", ""), self._of_surface(card))
+                oriented = "ORIENTATION" in card.options
             elif card.keyword in ("DISTRIBUTING", "KINEMATIC"):
-                if current is not None:
-                    self._specify(current, card)
+                if current is None:
+                    findings.leave(card.place, f"{card.title} without a *COUPLING that is taken over")
+                else:
+                    current.kind, current.coupled = card.keyword, self._coupled(card.rows)
+                    if oriented and card.keyword == "KINEMATIC" and not current.coupled >= {0, 1, 2}:
+                        current.limit = " with ORIENTATION in some directions only"
                     current = None
+            elif card.keyword == "KINEMATICCOUPLING":
+                self._read_kinematic(card)
             elif card.keyword == "RIGIDBODY":
                 self._read_rigid(card)
-        self.nodes = {coupled.node for coupled in self.all} | {coupled.turning[0] for coupled in self.all}
+        self.nodes = {group.reference for group in self.all} | {group.turning[0] for group in self.all}
 
-    def _read(self, card, name, kind):
+    def _of_surface(self, card):
+        return self.sets.surface_named(card.options.get("SURFACE", ""), card.scope, card.place)
+
+    def _read(self, card, name, members, kind=""):
+        """\param members  (sides, nodes) of the deck \return RigidGroup, or None after a finding"""
         reference = self.sets.members("NSET", card.options.get("REFNODE", ""), card.scope, card.place)
-        rows = self._rows(card, name, kind)
-        if not reference or rows is None:
-            return None
-        self.all.append(Coupled(card, kind, reference[0], rows, name))
-        return self.all[-1]
-
-    def _rows(self, card, name, kind):
-        if kind == "NSET":
-            sides, nodes = [], self.sets.members("NSET", name, card.scope, card.place)
-        else:
-            sides, nodes = self.sets.surface_named(name, card.scope, card.place)
+        sides, nodes = members
         rows, faults = self.solids.rows_of_surface(sides, nodes)
         for fault in faults:
             self.findings.leave(card.place, f"{card.title}, '{name}': {fault}")
         if not len(rows):
             self.findings.leave(card.place, f"{card.title}: '{name}' has no side of the solid elements")
+        if not reference or not len(rows):
             return None
-        return rows
+        own = {self.solids.node[node] for node in nodes if node in self.solids.node} | set(rows[:, 2:].ravel().tolist()) - {-1}
+        self.all.append(RigidGroup(card.title, card.place, name, kind, reference[0], (reference[0], 3), rows, sorted(own),
+                                   self.solids.deck.nodes[reference[0]]))
+        return self.all[-1]
 
-    def _specify(self, coupled, card):
-        coupled.kind = card.keyword
-        dofs = set()
-        for place, words in card.rows:
+    def _coupled(self, rows):
+        """Coupled motions from lines of first and last degree of freedom; all without lines"""
+        motions = set()
+        for place, words in rows:
             numbers = [int(value) for value in numbers_in(words[:2], place, self.findings) if value is not None]
             if numbers:
-                dofs |= set(range(numbers[0] - 1, numbers[-1]))
-        coupled.motions = dofs or set(ALL)
+                motions |= set(range(numbers[0] - 1, numbers[-1]))
+        return frozenset(motions) or ALL
+
+    def _read_kinematic(self, card):
+        """*KINEMATIC COUPLING: lines of a node set, first and last degree of freedom"""
+        by_motions = {}
+        for place, words in card.rows:
+            motions = self._coupled([(place, words[1:])])
+            by_motions.setdefault(motions, ([], []))
+            by_motions[motions][0].append(words[0])
+            by_motions[motions][1].extend(self.sets.members("NSET", words[0], card.scope, place))
+        for motions, (names, nodes) in by_motions.items():
+            group = self._read(card, names[0] if len(names) == 1 else f"nodes of line {card.place.line}", ([], nodes), "KINEMATIC")
+            if group is not None:
+                group.coupled = motions
 
     def _read_rigid(self, card):
-        if "NSET" not in card.options and "TIENSET" not in card.options:
-            self.findings.leave(card.place, f"{card.title}: only with NSET=<node set>")
+        option = next((option for option in SETS if option in card.options), None)
+        if option is None:
+            self.findings.leave(card.place, f"{card.title}: only with NSET=<node set> or ELSET=<element set>")
             return
-        coupled = self._read(card, card.options.get("NSET") or card.options["TIENSET"], "NSET")
-        if coupled is not None:
-            coupled.kind = "KINEMATIC"
-            if "ROTNODE" in card.options:
-                turning = self.sets.members("NSET", card.options["ROTNODE"], card.scope, card.place)
-                coupled.turning = (turning[0], 0) if turning else coupled.turning
+        nodes = self.sets.members(SETS[option], card.options[option], card.scope, card.place)
+        if SETS[option] == "ELSET":
+            nodes = list(dict.fromkeys(node for key in nodes for node in self.solids.deck.elements[key].nodes))
+        group = self._read(card, card.options[option], ([], nodes), "RIGID")
+        if group is not None and "ROTNODE" in card.options:
+            turning = self.sets.members("NSET", card.options["ROTNODE"], card.scope, card.place)
+            group.turning = (turning[0], 0) if turning else group.turning
 
     def add(self, forces, displacements):
-        for coupled in self.all:
-            loads = self._at(coupled, forces)
-            motions = self._at(coupled, displacements)
-            if coupled.kind == "DISTRIBUTING":
-                self._add_distributed(coupled, loads, motions)
-            elif coupled.kind == "KINEMATIC":
-                self._add_kinematic(coupled, loads, motions)
+        """Reads values at the reference nodes from the tracks of *CLOAD and *BOUNDARY, and adds the conditions with the same effect."""
+        for group in self.all:
+            group.loads, group.motions = self._at(group, forces), self._at(group, displacements)
+            if group.limit:
+                self._leave(group, group.limit)
+            elif group.kind == "DISTRIBUTING":
+                self._add_distributed(group)
+            elif group.kind:
+                self._add_rigid(group)
             else:
-                self.findings.leave(coupled.card.place, f"{coupled.card.title} without *KINEMATIC or *DISTRIBUTING")
+                self._leave(group, " without *KINEMATIC or *DISTRIBUTING")
 
-    def _at(self, coupled, track):
+    def _leave(self, group, why):
+        group.reason = group.title + why
+        self.findings.leave(group.place, group.reason)
+
+    @staticmethod
+    def _at(group, track):
         """Values of the three translations and three rotations, or forces and moments, of a reference node"""
-        node, first = coupled.turning
-        keys = [(coupled.node, dof) for dof in (1, 2, 3)] + [(node, first + dof) for dof in (1, 2, 3)]
+        node, first = group.turning
+        keys = [(group.reference, dof) for dof in (1, 2, 3)] + [(node, first + dof) for dof in (1, 2, 3)]
         return {k: track.values[key] for k, key in enumerate(keys) if key in track.values}
 
-    def _add_distributed(self, coupled, loads, motions):
+    def _add_distributed(self, group):
         """Force and moment at the reference node as tractions with the same resultants."""
-        card, mesh = coupled.card, self.solids.mesh
-        if motions:
-            self.findings.leave(card.place, f"{card.title}: prescribed motion of the reference node {coupled.node[1]} of a *DISTRIBUTING coupling")
-        if not any(np.any(values) for values in loads.values()):
+        mesh, loads = self.solids.mesh, group.loads
+        if group.motions:
+            self._leave(group, f": prescribed motion of the reference node {group.reference[1]} of a *DISTRIBUTING coupling")
+        if not group.is_loaded:
             return
         if self.solids.model == "Axisymmetric" or mesh.dimension == 2 and any(k in (2, 3, 4) and np.any(values) for k, values in loads.items()):
-            self.findings.leave(card.place, f"{card.title}: loads out of the plane, or in an axisymmetric model")
+            self._leave(group, ": loads out of the plane, or in an axisymmetric model")
             return
-        group = self.solids.group(coupled.title, coupled.rows)
-        centroid = integrals(mesh, coupled.rows)[2]
+        sides = self.solids.group(group.name, group.rows)
+        centroid = integrals(mesh, group.rows)[2]
         arm = np.zeros(3)
-        arm[:mesh.dimension] = np.array(self.solids.deck.nodes[coupled.node])[:mesh.dimension] - centroid
+        arm[:mesh.dimension] = np.array(group.point)[:mesh.dimension] - centroid
         zero = np.zeros_like(next(iter(loads.values())))
         force = np.array([loads.get(k, zero) for k in range(3)])
         moment = np.array([loads.get(3 + k, zero) for k in range(3)]) + np.cross(arm, force, axis=0)
         scale = np.abs(force).max() * np.ptp(mesh.points, axis=0).max() + np.abs(moment).max()
-        self.findings.change(card.place, f"{card.title}: the load of node {coupled.node[1]} is a traction on '{group}' with the same force "
-                                         "and moment")
-        self._write(f"force on {coupled.title}", "Force", dict(enumerate(force[:mesh.dimension])), group)
+        group.reason = f"{group.title}: the load of node {group.reference[1]} is a traction on '{sides}' with the same force and moment"
+        self.findings.change(group.place, group.reason)
+        self._write(f"force on {group.name}", "Force", dict(enumerate(force[:mesh.dimension])), sides)
         moment[np.abs(moment) < 1e-12 * scale] = 0.0
         if mesh.dimension == 3:
-            self._write(f"moment on {coupled.title}", "Moment", dict(enumerate(moment)), group)
+            self._write(f"moment on {group.name}", "Moment", dict(enumerate(moment)), sides)
         elif moment[2].any():
             value, factors = amount(moment[2])
-            self.conditions.add(f"moment on {coupled.title}", "Moment", factors, Group=group, Value=[value])
+            self.conditions.add(f"moment on {group.name}", "Moment", factors, Group=sides, Value=[value])
 
-    def _write(self, name, type_, parts, group):
+    def _write(self, name, type_, parts, sides):
         for members, factors in vectors(parts):
             if any(members.values()):
-                self.conditions.add(name, type_, factors, Group=group, Value=self.conditions.vector(members))
+                self.conditions.add(name, type_, factors, Group=sides, Value=self.conditions.vector(members))
 
-    def _add_kinematic(self, coupled, loads, motions):
-        """A reference node that cannot rotate and has given translations prescribes the displacements of the sides."""
-        card, dimension = coupled.card, self.solids.mesh.dimension
+    def _add_rigid(self, group):
+        """A reference node whose motions are all given prescribes the displacements of the sides."""
+        dimension, motions = self.solids.mesh.dimension, group.motions
         rotations = (3, 4, 5) if dimension == 3 else (5,)
-        turns = [k for k in rotations if k not in motions or np.any(motions[k])]
-        free = [k for k in range(dimension) if k in coupled.motions and k not in motions]
-        loaded = any(np.any(values) for values in loads.values())
-        if loaded or turns or free:
-            what = "a load" if loaded else "a rotation" if turns else f"a free translation in {LETTERS[free[0]]}"
-            self.findings.leave(card.place, f"{card.title}: {what} of the reference node {coupled.node[1]}; only given translations without rotation")
+        free = [k for k in range(dimension) if k in group.coupled and k not in motions] + [k for k in rotations if k not in motions]
+        if group.is_loaded or free:
+            what = "a load" if group.is_loaded else f"a free {'rotation about' if free[0] > 2 else 'translation in'} {LETTERS[free[0] % 3]}"
+            self._leave(group, f": {what} of the reference node {group.reference[1]}; a scene takes only motions that are all given")
             return
-        group = self.solids.group(coupled.title, coupled.rows)
-        parts = {k: motions[k] for k in range(dimension) if k in coupled.motions}
-        for members, factors in vectors(parts):
+        own = [k for k in range(dimension) if k in group.coupled]
+        if any(np.any(motions[k]) for k in rotations):
+            self._add_rotated(group, own, {k: motions[k] for k in [*own, *rotations]})
+        else:
+            self._add_translated(group, own)
+
+    def _where(self, own):
+        return {} if len(own) == self.solids.mesh.dimension else {"Components": "".join(LETTERS[k] for k in own)}
+
+    def _add_translated(self, group, own):
+        sides = self.solids.group(group.name, group.rows)
+        group.reason = f"{group.title}: as prescribed displacements of '{sides}'"
+        for members, factors in vectors({k: group.motions[k] for k in own}):
             order = sorted(members)
-            where = {} if len(order) == dimension else {"Components": "".join(LETTERS[k] for k in order)}
-            self.conditions.add(coupled.title, "Displacement", factors, Group=group, **where, Value=[members[k] for k in order])
+            self.conditions.add(group.name, "Displacement", factors, Group=sides, **self._where(order), Value=[members[k] for k in order])
+
+    def _add_rotated(self, group, own, motions):
+        """A small rotation: displacements that are linear in the position"""
+        found = vectors(motions)
+        if len(found) > 1:
+            self._leave(group, f": the motions of the reference node {group.reference[1]} have different amplitudes")
+            return
+        members, factors = found[0]
+        sides = self.solids.group(group.name, group.rows)
+        group.reason = f"{group.title}: the rotation of node {group.reference[1]} as displacements of '{sides}' that are linear in the position"
+        self.findings.change(group.place, group.reason)
+        turn = [members.get(3 + k, 0.0) for k in range(3)]
+        values = {}
+        for k in own:
+            after, last = (k + 1) % 3, (k + 2) % 3  # u_k = w_after x_last - w_last x_after
+            terms = [repr(members[k])] + [f"{factor!r}*({LETTERS[at]} - {group.point[at]!r})"
+                                          for factor, at in ((turn[after], last), (-turn[last], after)) if factor]
+            values[f"Expression_{LETTERS[k]}"] = " + ".join(terms)
+        self.conditions.add(group.name, "Displacement", factors, Group=sides, **self._where(own), **values)

@@ -34,6 +34,7 @@ class Findings:
     def __init__(self, path):
         self.path = path
         self.errors, self.left, self.changed, self.aside = [], [], [], []
+        self._known = set()
 
     def error(self, place, text):
         self._add(self.errors, place, text)
@@ -47,9 +48,9 @@ class Findings:
     def put_aside(self, place, text):
         self._add(self.aside, place, text)
 
-    @staticmethod
-    def _add(some, place, text):
-        if (place, text) not in some:
+    def _add(self, some, place, text):
+        if (id(some), place, text) not in self._known:
+            self._known.add((id(some), place, text))
             some.append((place, text))
 
     def spot(self, place):

@@ -24,11 +24,12 @@ class Loads:
         of_source = {}
         for (key, dof), values in track.values.items():
             node = self.solids.node.get(key)
-            if node is None or dof > 6:
+            if node is None:
                 continue
             source = self.nodal.source[key, dof]
             if dof > self.mesh.dimension:
-                self.findings.leave(source.place, f"*CLOAD on '{source.name}': direction {dof}; nodes of solid elements have no rotations")
+                why = "; nodes of solid elements have no rotations" if 3 < dof < 7 else ""
+                self.findings.leave(source.place, f"*CLOAD on '{source.name}': direction {dof}{why}")
                 continue
             of_source.setdefault(source, {}).setdefault(node, {})[dof - 1] = values
         for source, nodes in of_source.items():
@@ -69,6 +70,7 @@ class Loads:
 
     def add_distributed(self):
         track = self.steps.track(("DLOAD", "DSLOAD"), self._expand, adds=True)
+        self._list_overlaps(track)
         found = {}
         for (target, kind, component), values in track.values.items():
             found.setdefault((target, kind), {})[component] = values
@@ -82,6 +84,44 @@ class Loads:
         for (values, place), all_ in single.items():
             sides = [(self.targets[target][1][0], int(kind[1]) - 1) for target, kind in all_]
             self._add_sides_of_card(sides, np.array(values), place)
+
+    def _list_overlaps(self, track):
+        """Loads of one kind that begin in different steps and share elements: in CalculiX the later one replaces the earlier one there."""
+        by_kind = {}
+        for (target, kind, component), step in track.began.items():
+            if str(kind).startswith("P") and component == 0:
+                by_kind.setdefault(kind, {})[target] = step
+        for kind, steps in by_kind.items():
+            if len(set(steps.values())) < 2:
+                continue
+            for later, other in sorted(self._overlapping(steps), key=str):
+                ended = track.removed.get((other, kind, 0))
+                if ended is None or ended.number > steps[later].number:
+                    titles = [self.targets[target][0] for target in (later, other)]
+                    self.findings.leave(track.place[later, kind, 0], f"load {kind} on '{titles[0]}' shares elements with that on '{titles[1]}' of step "
+                                        f"{steps[other].number}: both act there, as in Abaqus; CalculiX replaces the earlier one")
+
+    def _overlapping(self, steps):
+        """Pairs (later, earlier) of targets that share elements or sides"""
+        owners, pairs = {}, set()
+        for target in steps:
+            for member in self.targets[target][1]:
+                owners.setdefault(member, []).append(target)
+        for own in owners.values():
+            pairs |= {(later, other) for later in own for other in own if steps[later].number > steps[other].number}
+        return pairs
+
+    def add_foundations(self, cards):
+        """*FOUNDATION: pressure per normal displacement"""
+        for card in cards:
+            for place, words in card.rows if card.keyword == "FOUNDATION" else ():
+                kind = words[1].upper() if len(words) > 1 else ""
+                stiffness = numbers_in(words[2:3], place, self.findings)
+                target = self._target(card, words[0], False, place)
+                if not re.fullmatch(r"F\d", kind) or not stiffness or not stiffness[0]:
+                    self.findings.leave(place, f"{card.title}: {kind or 'no type'} with {len(words) - 2} numbers")
+                elif target is not None and (group := self._group(target, kind, place)) is not None:
+                    self.conditions.add(f"foundation of {self.targets[target][0]}", "Elastic Support", Group=group, Normal_Stiffness=stiffness[0])
 
     def _is_label(self, target):
         return target[0] == "ELSET" and target[1] in self.solids.deck.elements and len(self.targets[target][1]) == 1
@@ -148,6 +188,9 @@ class Loads:
             else:
                 members = self.sets.members("ELSET", word, card.scope, place)
             if key is None or not members:
+                if key is not None:
+                    what = "no sides" if surface else "no elements"
+                    self.findings.leave(place, f"{card.title} on '{word}': it has {what}")
                 return None
             self.targets[kind, key] = (self.sets.title(key) if label is None else f"element {word}", members)
         return (kind, key)

@@ -7,8 +7,6 @@ from ..cells import KINDS as SHAPES
 from ..foreign import Foreign
 from .elements import dimension_of, kind_of
 
-GENERATORS = ("NGEN", "NFILL", "NCOPY", "ELGEN", "ELCOPY", "NMAP")
-
 
 class Element(NamedTuple):
     kind: object  # meshio's name; None: not converted
@@ -38,8 +36,8 @@ class Model:
         for card in assembly.cards:
             if card.keyword == "NODE":
                 self._read_nodes(card)
-            elif card.keyword in GENERATORS:
-                findings.error(card.place, f"{card.title} generates nodes or elements, which is not supported; write them out")
+            elif card.keyword == "NMAP":
+                findings.error(card.place, f"{card.title} moves nodes, which is not supported; write their coordinates out")
         for card in assembly.cards:
             if card.keyword == "ELEMENT":
                 self._read_elements(card)

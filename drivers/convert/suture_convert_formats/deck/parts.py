@@ -33,7 +33,7 @@ class Motion:
 
 def motion_of(card, findings):
     """From the data lines of *INSTANCE: a translation, then two points of an axis and an angle."""
-    rows = [[value or 0.0 for value in numbers_in(words, place, findings)] for place, words in card.rows]
+    rows = [[value or 0.0 for value in numbers_in(words, place, findings)] for place, words in card.rows if any(words)]
     motion = Motion()
     if rows:
         motion.shift = np.array((rows[0] + [0.0] * 3)[:3])

@@ -15,7 +15,7 @@ class Sets:
         self.model, self.findings, self.assembly = model, findings, model.assembly
         self.entries = {"NSET": {}, "ELSET": {}, "SURFACE": {}}  # (scope, name) -> list of (scope of the members, card)
         self.names = {}  # (scope, name in upper case) -> name in the file
-        self.found = {}
+        self.found, self.owners = {}, None  # owners: number of elements at each side, by its vertices
         self.of_element_card = {}
         for key, element in model.elements.items():
             self.of_element_card.setdefault((key[0], element.place), []).append(key)
@@ -117,7 +117,8 @@ class Sets:
 
     def _generated(self, scope, card):
         for place, words in card.rows:
-            first, last, *step = integers(words, place, self.findings) or (0, -1)
+            given = integers(words, place, self.findings)
+            first, last, *step = given * 2 if len(given) == 1 else given or (0, -1)  # a single label is itself
             for label in range(first, last + 1, step[0] if step and step[0] > 0 else 1):
                 yield (scope, label)
 
@@ -176,12 +177,23 @@ class Sets:
                 continue
             if self.is_facet(element):
                 yield (key, None)
-            elif not face:
-                yield from ((key, side) for side in range(len(sides_of(element.kind))))
+            elif not face:  # the free sides
+                yield from ((key, side) for side in range(len(sides_of(element.kind))) if self._is_free((key, side)))
             elif face[1:].isdigit() and 0 < int(face[1:]) <= len(sides_of(element.kind)):
                 yield (key, int(face[1:]) - 1)
             else:
                 self.findings.error(place, f"element {key[1]} has no side {face}")
+
+    def _is_free(self, side):
+        """Whether a side belongs to one element only"""
+        if self.owners is None:
+            self.owners = {}
+            for key, element in self.model.elements.items():
+                if element.kind and dimension_of(element.kind) == self.model.dimension:
+                    for number in range(len(sides_of(element.kind))):
+                        corners = frozenset(self.nodes_of_side((key, number)))
+                        self.owners[corners] = self.owners.get(corners, 0) + 1
+        return self.owners[frozenset(self.nodes_of_side(side))] == 1
 
     def is_facet(self, element):
         """Whether an element is a side of others: a surface element of a 3D deck, a line of a 2D deck"""

@@ -9,6 +9,7 @@ from .findings import nearest
 PROCEDURES = {"DYNAMIC", "FREQUENCY", "BUCKLE", "HEATTRANSFER", "COUPLEDTEMPERATURE-DISPLACEMENT", "UNCOUPLEDTEMPERATURE-DISPLACEMENT",
               "MODALDYNAMIC", "STEADYSTATEDYNAMICS", "VISCO", "NOANALYSIS", "ELECTROMAGNETICS", "GREEN", "CRACKPROPAGATION", "COMPLEXFREQUENCY",
               "SUBSTRUCTUREGENERATE", "GEOSTATIC", "SOILS"}
+FROZEN = object()  # value of *BOUNDARY, FIXED
 SAME = 1e-12  # relative difference of equal times or values
 
 
@@ -48,6 +49,7 @@ class Steps:
     all      static steps
     initial  cards before the steps
     times    ends of all steps, and times in them at which an amplitude has a corner
+    skipped  number of times at the beginning that the scene does not have; `all_times` also has these
     """
 
     def __init__(self, cards, findings):
@@ -91,27 +93,36 @@ class Steps:
 
     def _find_times(self):
         start, times = 0.0, []
+        following = [amplitude for card in self.initial if (amplitude := self._amplitude_of(card)) and amplitude.total]
         for step in self.all:
             step.start = start
             for card in step.cards:
                 if card.keyword == "STATIC" and card.rows:
                     row = numbers_in(card.rows[0][1], card.rows[0][0], self.findings)
-                    step.period = (row[1] if len(row) > 1 and row[1] else 1.0)
+                    step.period = row[1] if len(row) > 1 and row[1] else 1.0
+                    if step.period < 0:
+                        self.findings.error(card.rows[0][0], f"{card.title}: expected a period > 0, found {step.period:g}")
+                        step.period = 1.0
             start += step.period
-            inner = {time for card in step.cards for time in self._corners(step, card)}
+            own = [amplitude for card in step.cards if (amplitude := self._amplitude_of(card))]
+            following += [amplitude for amplitude in own if amplitude.total]  # loads follow these in later steps, too
+            inner = {time + (0.0 if amplitude.total else step.start) for amplitude in own + following for time in amplitude.times}
             times += sorted(time for time in inner if step.start + SAME * start < time < start * (1 - SAME))
             times.append(start)
-        self.times = np.array(times)
+        self.times = self.all_times = np.array(times)
+        self.skipped = 0
 
-    def _corners(self, step, card):
-        amplitude = self.amplitudes.get(card.option("AMPLITUDE")) if card.keyword != "STEP" else None
-        if amplitude is None:
-            return []
-        return [time + (0.0 if amplitude.total else step.start) for time in amplitude.times]
+    def begin_with(self, step):
+        """Leaves out the times before a step."""
+        self.skipped = self.of(step)[0]
+        self.times = self.all_times[self.skipped:]
+
+    def _amplitude_of(self, card):
+        return self.amplitudes.get(card.option("AMPLITUDE")) if card.keyword != "STEP" else None
 
     def of(self, step):
         """Numbers of the times in a step"""
-        first, last = (bisect.bisect_right(self.times.tolist(), time * (1 + SAME)) for time in (step.start, step.start + step.period))
+        first, last = (bisect.bisect_right(self.all_times.tolist(), time * (1 + SAME)) for time in (step.start, step.start + step.period))
         return range(first, last)
 
     def track(self, keywords, expand, adds=False):
@@ -124,6 +135,7 @@ class Steps:
         """
         track = Track(self, keywords, expand, adds)
         track.follow()
+        track.skip()
         return track
 
 
@@ -134,11 +146,14 @@ class Track:
     card     key -> keyword line of that card
     began    key -> step in which it begins
     removed  key -> step in which OP=NEW ends it
+    active   for each step the keys that it has or continues
+    frozen   key -> step in which FIXED holds a value that is not prescribed before
     """
 
     def __init__(self, steps, keywords, expand, adds):
         self.steps, self.keywords, self.expand, self.adds = steps, keywords, expand, adds
         self.values, self.place, self.card, self.end, self.began, self.removed = {}, {}, {}, {}, {}, {}
+        self.active, self.frozen, self.following = [], {}, {}  # following: key -> (value, amplitude in total time) of its entries
 
     def follow(self):
         carried, _ = self._entries(self.steps.initial)
@@ -147,6 +162,8 @@ class Track:
             if step is self.steps.all[0] and not new:
                 entries = {**carried, **entries}
             at = self.steps.of(step)
+            before = set() if new or not self.active else self.active[-1]
+            self.active.append(before | set(entries))
             for key in list(self.values):
                 if key not in entries:
                     self._continue(key, step, at, new)
@@ -154,6 +171,21 @@ class Track:
                 self._prescribe(key, entry, step, at)
             for key, values in self.values.items():
                 self.end[key] = values[at[-1]]
+
+    def skip(self):
+        """Leaves out the times that the scene does not have."""
+        self.values = {key: values[self.steps.skipped:] for key, values in self.values.items()}
+
+    def drop(self, key):
+        for some in (self.values, self.place, self.card, self.began):
+            del some[key]
+
+    def copy(self, key, other, values):
+        """Sets the values of a key that has all else from another one."""
+        self.values[other] = values
+        for some in (self.place, self.card, self.began, self.removed):
+            if key in some:
+                some.setdefault(other, some[key])
 
     def _entries(self, cards):
         entries, new = {}, False
@@ -163,7 +195,7 @@ class Track:
                 amplitude = self._amplitude(card)
                 for key, value, place in self.expand(card):
                     before = entries[key][0] if self.adds and key in entries else []
-                    entries[key] = ([*before, (value, amplitude)], place, card.place)
+                    entries[key] = ([*before, (FROZEN if "FIXED" in card.options else value, amplitude)], place, card.place)
         return entries, new
 
     def _amplitude(self, card):
@@ -176,22 +208,37 @@ class Track:
         last = self.end.get(key, 0.0)
         if new and key not in self.removed:
             self.removed[key] = step
+        if new:
+            self.following.pop(key, None)
         for i in at:
-            share = (self.steps.times[i] - step.start) / step.period if new else 0.0
-            self.values[key][i] = last * (1 - share)
+            time = self.steps.all_times[i]
+            share = (time - step.start) / step.period if new else 0.0
+            followed = sum(value * (amplitude.at(time) - amplitude.at(step.start)) for value, amplitude in self.following.get(key, ()))
+            self.values[key][i] = last * (1 - share) + followed
 
     def _prescribe(self, key, entry, step, at):
         parts, place, card = entry
         if key not in self.values:
-            self.values[key], self.place[key], self.card[key], self.began[key] = np.zeros(len(self.steps.times)), place, card, step
+            self.values[key], self.place[key], self.card[key], self.began[key] = np.zeros(len(self.steps.all_times)), place, card, step
+        if any(value is FROZEN for value, _ in parts):
+            self._freeze(key, step, at)
+            return
+        self.following[key] = [(value, amplitude) for value, amplitude in parts if amplitude is not None and amplitude.total]
         ramped = [value for value, amplitude in parts if amplitude is None]
         last = self.end.get(key, 0.0) if ramped else 0.0
         for i in at:
-            time = self.steps.times[i]
+            time = self.steps.all_times[i]
             share = 1.0 if step.at_once else (time - step.start) / step.period
             total = last + (sum(ramped) - last) * share if ramped else 0.0
             self.values[key][i] = total + sum(value * amplitude.at(time if amplitude.total else time - step.start)
                                               for value, amplitude in parts if amplitude is not None)
+
+    def _freeze(self, key, step, at):
+        """FIXED: the last value of a prescribed displacement; for others the displacement at the beginning of the step, which is not known."""
+        number = self.steps.all.index(step)
+        if number and key not in self.active[number - 1]:
+            self.frozen[key] = step
+        self.values[key][list(at)] = self.end.get(key, 0.0)
 
 
 def amount(values):

@@ -1,32 +1,35 @@
 """*BOUNDARY on nodes of solid elements: sides all of whose nodes have the same prescribed displacement, and single nodes."""
 import numpy as np
 
+from .axes import Direction
 from .conditions import LETTERS
-from .steps import vectors
+from .steps import amount, vectors
 
 
 class Supports:
     """
     A condition of a scene acts on sides, or on the node at a point; a *BOUNDARY acts on nodes. A node that is not on a side whose nodes are
-    all held alike is held by a condition at its point.
+    all held alike is held by a condition at its point. Displacements are held along a component, a number from 0, or a Direction.
     """
 
-    def __init__(self, track, nodal, solids, conditions, findings):
-        self.track, self.nodal, self.solids, self.conditions, self.findings = track, nodal, solids, conditions, findings
-        self.alike = {}  # (component, values) -> nodes of the mesh
-        self.of_source = {}  # Source -> {(component, values): nodes}
+    def __init__(self, track, nodal, axes, solids, conditions, findings):
+        self.solids, self.conditions, self.findings = solids, conditions, findings
+        self.alike = {}  # (component or Direction, values) -> nodes of the mesh
+        self.of_source = {}  # Source -> {(component or Direction, values): nodes}
+        for key, along, values, source in axes.supports(track, nodal):
+            self._note(key, along, values, source)
         for (key, dof), values in track.values.items():
-            node = solids.node.get(key)
-            if node is None or dof > solids.mesh.dimension:
-                continue  # reference nodes; solid elements have no rotations
-            what = (dof - 1, tuple(values.tolist()))
-            self.alike.setdefault(what, set()).add(node)
-            self.of_source.setdefault(nodal.source[key, dof], {}).setdefault(what, set()).add(node)
+            if key in solids.node and dof <= solids.mesh.dimension:  # others: reference nodes; solid elements have no rotations
+                self._note(key, dof - 1, values, nodal.source[key, dof])
         self.held = {what: set() for what in self.alike}
         for source, parts in self.of_source.items():
             self._add(source, parts)
         self._add_rest()
-        self._list_changes()
+
+    def _note(self, key, along, values, source):
+        what = (along, tuple(values.tolist()))
+        self.alike.setdefault(what, set()).add(self.solids.node[key])
+        self.of_source.setdefault(source, {}).setdefault(what, set()).add(self.solids.node[key])
 
     def _add(self, source, parts):
         groups = {}  # side group -> component -> values
@@ -43,7 +46,10 @@ class Supports:
         self.held[what].update(nodes[nodes >= 0].tolist())
 
     def _write(self, name, components, **place):
-        """\param place  Group, or Body and Point"""
+        """\param components  component or Direction -> values \param place  Group, or Body and Point"""
+        for along in [along for along in components if isinstance(along, Direction)]:
+            value, factors = amount(components.pop(along))
+            self.conditions.add(name, "Displacement", factors, **place, **along.parameters(self.solids.mesh.dimension), Value=[value])
         for members, factors in vectors(components):
             if len(members) == self.solids.mesh.dimension:
                 self.conditions.add(name, "Displacement", factors, **place, Value=self.conditions.vector(members))
@@ -81,20 +87,3 @@ class Supports:
         for node in sorted(of_node):
             self._write(source.name, of_node[node], Body=self.solids.bodies[self.solids.node_body[node]],
                         Point=self.solids.mesh.points[node].tolist()[:self.solids.mesh.dimension])
-
-    def _list_changes(self):
-        """Supports that begin or end in a later step hold over the whole path."""
-        first = self.track.steps.all[0] if self.track.steps.all else None
-        listed = set()
-        for (key, dof), step in self.track.began.items():
-            source = self.nodal.source[key, dof]
-            if key not in self.solids.node or dof > self.solids.mesh.dimension:
-                continue
-            if step is not first and (source, "on") not in listed:
-                listed.add((source, "on"))
-                self.findings.leave(source.place, f"*BOUNDARY on '{source.name}': it begins in step {step.number}; in the scene it holds from the "
-                                                  "first step on")
-            ended = self.track.removed.get((key, dof))
-            if ended and (source, "off") not in listed:
-                listed.add((source, "off"))
-                self.findings.leave(source.place, f"*BOUNDARY on '{source.name}': it ends in step {ended.number}; in the scene it holds to the end")

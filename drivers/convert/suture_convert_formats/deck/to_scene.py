@@ -3,11 +3,13 @@ import re
 
 import numpy as np
 
+from .axes import NodalAxes
 from .cards import read_cards
 from .conditions import Conditions
 from .contact import Contacts
 from .coupling import Couplings
 from .findings import Findings
+from .generators import written_out
 from .keywords import check
 from .loads import Loads
 from .materials import Materials, Sections
@@ -19,6 +21,7 @@ from .scene import write
 from .sets import Sets
 from .solids import Solids
 from .steps import Steps
+from .support_path import SupportPath, history_of
 from .supports import Supports
 from .temperature import Temperatures
 
@@ -30,16 +33,17 @@ class DeckScene:
     """
     mesh       Mesh with the groups of the scene
     findings   Findings
+    couplings  Couplings: its `all` has each *COUPLING and *RIGID BODY as a RigidGroup
     text(mesh_file)  the scene, whose Mesh/File is mesh_file
     """
 
     def __init__(self, path, units=None):
         self.path, self.findings = path, Findings(path)
-        cards = read_cards(path, self.findings)
+        cards = written_out(read_cards(path, self.findings), self.findings)
         self.assembly = Assembly(cards, self.findings)
         self.findings.stop()
         cards = self.assembly.cards
-        check(cards, self.findings)
+        cards = check(cards, self.findings)
         self.units = UNITS.get(units, units) or self._units_of(cards)
         self.title = self._title_of(cards)
         self._read_solids(cards)
@@ -62,20 +66,23 @@ class DeckScene:
         self.conditions = Conditions(self.mesh.dimension)
         self.contacts = Contacts(cards, solids, findings)
         self.contacts.check_clearances(cards)
+        axes = NodalAxes(cards, solids, findings)
+        self.couplings = couplings = Couplings(cards, solids, self.conditions, findings)
         held, forced = NodalCards(solids.sets, findings), NodalCards(solids.sets, findings)
         displacements = self.steps.track(("BOUNDARY",), held.boundary)
+        SupportPath(displacements, held, self.steps, set(solids.node) | couplings.nodes, history_of(cards, self.contacts.all), findings)
         forces = self.steps.track(("CLOAD",), forced.force, adds=True)
         thickness = self._thickness()
         forces.values = {key: values / thickness for key, values in forces.values.items()}
-        self._refuse_transforms(cards, ((displacements, held), (forces, forced)))
-        Supports(displacements, held, solids, self.conditions, findings)
+        axes.turn_forces(forces, forced)
+        Supports(displacements, held, axes, solids, self.conditions, findings)
         preloads = Preloads(cards, self.contacts, solids, self.conditions, findings)
         preloads.add(forces, displacements)
-        couplings = Couplings(cards, solids, self.conditions, findings)
         couplings.add(forces, displacements)
         loads = Loads(self.steps, forced, solids, self.conditions, findings)
         loads.add_point_forces(forces)
         loads.add_distributed()
+        loads.add_foundations(cards)
         self.needed = Temperatures(cards, self.steps, solids, self.conditions, findings).needed
         self._list_loose((displacements, held), couplings.nodes | set(preloads.sections))
         self._list_loose((forces, forced), couplings.nodes | set(preloads.sections))
@@ -92,18 +99,6 @@ class DeckScene:
         if first.thickness != 1.0:
             self.findings.change(first.place, f"thickness {first.thickness:g}: forces of the scene and its results are per unit of thickness")
         return first.thickness
-
-    def _refuse_transforms(self, cards, tracks):
-        """Values in the axes of *TRANSFORM are not those of a scene."""
-        for card in cards:
-            if card.keyword != "TRANSFORM":
-                continue
-            turned = set(self.solids.sets.members("NSET", card.options.get("NSET", ""), card.scope, card.place))
-            for track, nodal in tracks:
-                for key in [key for key in track.values if key[0] in turned]:
-                    source = nodal.source[key]
-                    self.findings.leave(source.place, f"values on '{source.name}' in the axes of *TRANSFORM (line {card.place.line})")
-                    del track.values[key], track.began[key]
 
     def _list_loose(self, track_of, known):
         """Values at nodes that belong to no solid element, section or coupling."""

@@ -30,9 +30,9 @@ class Marks:
         if not len(triangles):
             return np.zeros((0, 2)) if condition.groups else self._elsewhere(condition, colour)
         on_border = self.outline(self.scene.points, self.scene.surface.around(triangles), colour)
-        places, outward, hidden = self._places(triangles)
+        places, points, outward, hidden = self._places(triangles)
         if condition.support and not moves(condition):
-            self._supports(condition, places, outward, colour, hidden)
+            self._supports(condition, places, points, outward, colour, hidden)
         else:
             self._arrows(condition, places, outward, colour, hidden)
         if hidden:
@@ -41,7 +41,7 @@ class Marks:
         return np.array([places[np.argmin(np.hypot(*(places - place).T))] for place in wanted])
 
     def _places(self, triangles):
-        """(positions in the plot, outward normals, whether bodies hide the surface) of many points on it."""
+        """(positions in the plot, in 3D, outward normals, whether bodies hide the surface) of many points on it."""
         surface, raster = self.scene.surface, self.page.seen.raster
         mine = np.zeros(len(surface.triangles), dtype=bool)
         mine[triangles] = True
@@ -49,11 +49,12 @@ class Marks:
         hidden = len(samples) < SEEN
         if hidden:
             owner = triangles[::max(1, len(triangles) // 4000)]
-            places = self.page.view.flat(self.scene.points[surface.triangles[owner]].mean(axis=1))
+            places = None
         else:
             samples = samples[::max(1, len(samples) // 4000)]
             places, owner = raster.places(samples), raster.shown[samples]
-        return places, normals(self.scene.points, surface.triangles[owner]), hidden
+        points = self.scene.points[surface.triangles[owner]].mean(axis=1)
+        return self.page.view.flat(points) if hidden else places, points, normals(self.scene.points, surface.triangles[owner]), hidden
 
     def outline(self, points, edges, colour):
         """Lines, dashed where bodies hide them. \\return some positions on them in the plot, the middle first"""
@@ -98,15 +99,16 @@ class Marks:
         for end in (1.0, 0.7):
             self._draw(centre - 0.5 * step, centre + (end - 0.5) * step, colour, True, hidden)
 
-    def _supports(self, condition, places, outward, colour, hidden):
+    def _supports(self, condition, places, points, outward, colour, hidden):
         """Triangles with their tips on the surface: filled if all directions are held, on rollers if one is; springs."""
         chosen = self._chosen(places, SUPPORTS)
-        self._support_signs(condition, places[chosen], outward[chosen], colour, hidden)
+        self._support_signs(condition, places[chosen], points[chosen], outward[chosen], colour, hidden)
 
-    def _support_signs(self, condition, places, outward, colour, hidden):
-        if condition.components in ("x", "y", "z"):
-            axis = np.eye(3)["xyz".index(condition.components)]
-            outward = np.where(outward @ axis < -1e-9, -1.0, 1.0)[:, None] * axis
+    def _support_signs(self, condition, places, points, outward, colour, hidden):
+        """\param places  positions in the plot \param points  in 3D"""
+        axes = condition.axes_at(points)
+        if axes is not None:
+            outward = np.where(np.einsum("ij,ij->i", outward, axes) < -1e-9, -1.0, 1.0)[:, None] * axes
         way = self.page.view.flat(outward)
         size = np.hypot(*way.T)
         clear = size > SHORT
@@ -126,7 +128,7 @@ class Marks:
         if condition.type == "Displacement" and condition.at_point and not moves(condition):
             place = np.array([condition.given["Point"]], dtype=float)
             below = place[0, 2] < 0.5 * (self.scene.points.min(axis=0) + self.scene.points.max(axis=0))[2]
-            self._support_signs(condition, view.flat(place), np.array([[0.0, 0.0, -1.0 if below else 1.0]]), colour, False)
+            self._support_signs(condition, view.flat(place), place, np.array([[0.0, 0.0, -1.0 if below else 1.0]]), colour, False)
             return view.flat(place)
         if direction is None or len(direction) < 3 or not direction.any():
             return np.zeros((0, 2))
