@@ -31,6 +31,7 @@ std::vector<int> components(const CellBlock& block) {
     int lowest = nodes[0];
     for (const int node : nodes) lowest = sets.join(lowest, node);
   }
+  for (const auto& [outer, inner] : nodesUnderCoatings(block)) sets.join(outer, inner);
   std::vector<int> number(block.nodes(), -1), part(block.nodes());
   int parts = 0;
   for (int i = 0; i < block.nodes(); ++i) {

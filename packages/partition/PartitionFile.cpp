@@ -19,14 +19,14 @@ std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 /// Version of the format, sizes of the types that are written in their memory layout (which depends on the compiler), and the bytes of a
 /// mesh with one contact row, which change when a field is added or removed.
 std::string version() {
-  std::string text = "7";
+  std::string text = "8";
   SubdomainMesh sample;
   sample.contactRows.resize(1);
   sample.contactRows[0].equations.resize(1);
   Packer packer;
   pack(sample, packer);
   text += "." + std::to_string(std::move(packer).bytes().size());
-  for (const std::size_t size : {sizeof(NodeRule), sizeof(Support), sizeof(SpringDirection), sizeof(Side), sizeof(PairEnd),
+  for (const std::size_t size : {sizeof(NodeRule), sizeof(Support), sizeof(SpringDirection), sizeof(Side), sizeof(PairEnd), sizeof(Coating),
                                  sizeof(SubdomainMesh::ContactEnd), sizeof(SubdomainMesh::SeamSide), sizeof(Cell), sizeof(std::size_t)})
     text += "." + std::to_string(size);
   return text;
