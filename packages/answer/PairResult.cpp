@@ -24,7 +24,7 @@ struct Carried {
   ContactPair pair;
   double gap;
   PairKind kind;
-  GlobalId node;  // of the body
+  GlobalId node;  // node of the body
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {

@@ -39,7 +39,7 @@ struct PairResult {
   double arc = 0.0;                     ///< arc length along the line [length]
   Point position{0, 0, 0};              ///< point where its force acts, undeformed
   Point displacement{0, 0, 0};          ///< displacement of the carrying node
-  double shortening = 0.0;              ///< of the coating of a softened contact, along the normal [length]
+  double shortening = 0.0;              ///< shortening of a softened contact's coating along the normal [length]
   Point normal{0, 0, 0};
   PairKind kind;
   Point tangential{0, 0, 0};  ///< tangential force on B [force]

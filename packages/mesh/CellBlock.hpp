@@ -72,7 +72,7 @@ struct CellBlock {
 
   std::vector<int> regions;  ///< number of each element's region in the scene, or -1; empty: the scene has no regions
 
-  std::vector<Coating> coatings;  ///< of softened contacts; empty for most scenes
+  std::vector<Coating> coatings;  ///< springs of softened contacts; empty for most scenes
   std::vector<int> coatingNodes;  ///< outer nodes of the coatings
 
   /// Number of nodes without the outer nodes of coatings, which have the highest numbers.

@@ -32,7 +32,7 @@ void nameThem(const std::vector<ContactSurface>& contacts, const std::vector<int
       const ContactSurface& contact = contacts[contactOf[id]];
       if (contactOf[id] == last) continue;
       last = contactOf[id];
-      if (contact.spring > 0 && !piece.name.empty()) continue;  // of the same entry as an earlier pair
+      if (contact.spring > 0 && !piece.name.empty()) continue;  // an earlier pair has the same entry
       piece.name += (piece.name.empty() ? "" : " + ") + contact.name;
     }
     const int use = ++uses[piece.name];

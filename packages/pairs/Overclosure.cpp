@@ -16,7 +16,7 @@ namespace {
 constexpr double kSameSlope = 1e-9;  // relative decrease of a slope that counts as round-off of a table
 constexpr double kShareOfP = 0.7;    // part of the error that grows with the pressure: keeps the fitted function convex
 constexpr int kSamples = 48;         // points of a line at which its error is compared
-constexpr int kBisections = 40;      // of the end of a line
+constexpr int kBisections = 40;      // halvings of the interval that contains the end of a line
 constexpr int kMostSprings = 60;
 constexpr const char *kHard = "Hard", *kLinear = "Linear", *kExponential = "Exponential", *kTable = "Table";
 constexpr const char* kRatio = "Tangential Ratio";

@@ -58,10 +58,10 @@ class Overclosure {
 /// An entry of the scene's list `Contact` as its solvers see it: the rigid contact of one spring of the entry's Overclosure, or the entry
 /// itself. The lines are first all entries with their first springs, in the order of the scene, then the other springs.
 struct ContactLine {
-  std::string name;                  ///< of the entry
+  std::string name;                  ///< name of the entry
   int entry = -1;                    ///< place of the entry in the list
-  int spring = 0;                    ///< of the entry's Overclosure
-  std::optional<Overclosure> law{};  ///< of the entry; nothing: hard
+  int spring = 0;                    ///< index in Overclosure::springs()
+  std::optional<Overclosure> law{};  ///< law of the entry; nothing: hard
 
   double begin() const { return law ? law->springs()[std::size_t(spring)].begin : 0.0; }
 };

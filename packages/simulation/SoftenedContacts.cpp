@@ -1,5 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/simulation/SoftenedContacts.hpp>
 
 #include <algorithm>
