@@ -90,8 +90,12 @@ ExitCode run(const CommPtr& comm, const Options& options) {
     checkSolvability(*comm, mesh, constraints, scene.model, partition);
     const Whole whole = wholeOf(*comm, mesh, constraints, partition);
     collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });
-    writeHdf5Mesh(*comm, mesh, options.output, [&](Hdf5Writer& to) { addCut(to, mesh, constraints, partition, whole, scene); });
+    std::optional<Mesh> plain;
+    if (scene.coat) plain = mesh, removeCoatings(*plain);
+    writeHdf5Mesh(*comm, plain ? *plain : mesh, options.output,
+                  [&](Hdf5Writer& to) { addCut(to, mesh, constraints, partition, whole, scene); });
   } else {
+    removeCoatings(mesh);
     writeHdf5Mesh(*comm, mesh, options.output);
   }
   if (console) {

@@ -67,8 +67,10 @@ OverlapSearch::OverlapSearch(const std::vector<SubdomainMesh>& meshes, int bodie
     std::map<int, int> lineOf;
     for (const ContactRow& row : mesh.contactRows) lineOf[row.pair.id] = row.pair.line;
     own.contacts.resize(mesh.nodes());
+    const std::map<int, int> under = nodesUnderCoatings(mesh);
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
-      std::vector<int>& lines = own.contacts[end.node];
+      const auto inner = under.find(end.node);
+      std::vector<int>& lines = own.contacts[inner == under.end() ? end.node : inner->second];
       const int line = lineOf.at(end.pair);
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }

@@ -16,6 +16,7 @@ struct EndShare {
   int pair, end, body;
   Point displacement;  // without the lift
   Point motion;        // motion of the lift
+  Point onBody;        // displacement of the node under a coating, or of the node itself
 };
 
 /// A pair with its past slip and its gap as in the scene, without lift, and the properties of its law.
@@ -23,10 +24,11 @@ struct Carried {
   ContactPair pair;
   double gap;
   PairKind kind;
+  GlobalId node;  // node of the body
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.pair), each(self.gap), each(self.kind);
+    each(self.pair), each(self.gap), each(self.kind), each(self.node);
   }
 };
 
@@ -113,19 +115,24 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
     const SubdomainMesh& mesh = *meshes[i];
     std::map<int, const ContactRow*> known;
     for (const ContactRow& row : mesh.contactRows) known[row.pair.id] = &row;
+    const std::map<int, int> under = nodesUnderCoatings(mesh);
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
-      EndShare share{end.pair, end.end, mesh.body, {0, 0, 0}, {0, 0, 0}};
+      EndShare share{end.pair, end.end, mesh.body, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+      const auto inner = under.find(end.node);
+      const int onBody = inner == under.end() ? end.node : inner->second;
       for (int k = 0; k < mesh.dimension; ++k) {
         const Eigen::Index at = Eigen::Index(end.node) * mesh.dimension + k;
         share.displacement[k] = displacement[i][at];
+        share.onBody[k] = displacement[i][Eigen::Index(onBody) * mesh.dimension + k];
         if (mesh.lift.motion.size() > 0) share.motion[k] = mesh.lift.motion[at];
       }
       ends.push_back(share);
       if (end.end != 0) continue;
       const ContactRow& row = *known.at(end.pair);
       const auto before = mesh.lift.gaps.find(end.pair);
-      Carried& own = carried[end.pair] = {row.pair, before == mesh.lift.gaps.end() ? row.pair.gap : before->second, PairKind(row)};
+      Carried& own = carried[end.pair] = {row.pair, before == mesh.lift.gaps.end() ? row.pair.gap : before->second, PairKind(row),
+                                          mesh.globalNodes[static_cast<std::size_t>(onBody)]};
       own.pair.past.slip = mesh.pastSlip(row.pair);
     }
   }
@@ -140,11 +147,16 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
   collectivelyOnRoot(comm, "gathering the contact pairs", [&] {
     std::sort(allForces.begin(), allForces.end(), [](const PairForce& a, const PairForce& b) { return a.id < b.id; });
     if (allForces.size() != pairs.size()) throw InternalError("the numbers of contact forces and pairs differ");
+    std::map<int, double> shortening;
+    std::map<int, Point> ofCarriers;                    // displacement of the body at the carrying node
     std::map<int, std::vector<Point>> ofEnds, motions;  // without the lift, and of the lift if there is one
     std::map<int, std::map<int, double>> weights;       // sum of each body's weights; individual mortar weights may have either sign
     for (const auto& [id, carrier] : pairs) ofEnds[id].resize(carrier.pair.ends.size());
     for (const EndShare& end : allEnds) {
       ofEnds.at(end.pair).at(end.end) = end.displacement;
+      const ContactPair& pair = pairs.at(end.pair).pair;
+      shortening[end.pair] -= pair.ends.at(end.end).weight * dot(pair.normal, minus(end.displacement, end.onBody));
+      if (end.end == 0) ofCarriers[end.pair] = plus(end.onBody, end.motion);
       weights[end.pair][end.body] += pairs.at(end.pair).pair.ends.at(end.end).weight;
       if (end.motion != Point{0, 0, 0}) {
         std::vector<Point>& motion = motions[end.pair];
@@ -159,6 +171,9 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
       PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id), pair->second.kind,
                                                            motion == motions.end() ? std::vector<Point>() : motion->second));
       result.initialGap = pair->second.gap;
+      result.node = pair->second.node;
+      result.displacement = ofCarriers.at(force.id);
+      result.shortening = shortening.at(force.id);
       const std::map<int, double>& ofBodies = weights.at(force.id);
       for (const auto& [body, weight] : ofBodies) result.bodies[weight > 0.0 ? 0 : 1] = body;
       // A body on both sides: its weights sum to zero.

@@ -25,7 +25,7 @@ struct PairKind {
 /// State of a contact pair at the end of a run: gap > 0 open, pressure and force > 0 compressive.
 struct PairResult {
   int id = -1;
-  GlobalId node = -1;  ///< carrying node: number in the mesh
+  GlobalId node = -1;  ///< carrying node, on a coating the node under it: number in the mesh
   int line = -1;
   int piece = -1;
   std::array<int, 2> bodies{{-1, -1}};  ///< bodies of sides A and B; -1: a rigid obstacle
@@ -39,6 +39,7 @@ struct PairResult {
   double arc = 0.0;                     ///< arc length along the line [length]
   Point position{0, 0, 0};              ///< point where its force acts, undeformed
   Point displacement{0, 0, 0};          ///< displacement of the carrying node
+  double shortening = 0.0;              ///< shortening of a softened contact's coating along the normal [length]
   Point normal{0, 0, 0};
   PairKind kind;
   Point tangential{0, 0, 0};  ///< tangential force on B [force]

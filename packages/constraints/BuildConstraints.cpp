@@ -19,6 +19,8 @@ namespace suture {
 
 namespace {
 
+constexpr double kAlongCoating = 1e-6;  // component along the normal up to which an axis is tangential
+
 using SideSet = std::set<std::pair<int, int>>;
 
 SideSet sideSet(const Mesh& mesh, const std::vector<std::string>& groups) {
@@ -133,6 +135,48 @@ void checkHeld(const Mesh& mesh, const std::vector<Condition>& conditions, const
           "boundary");
 }
 
+/// Shifts the gaps of a softened contact to the overclosure at which its spring begins.
+void soften(const ContactSurface& contact, PairedSurface& paired, std::vector<std::string>& notes) {
+  for (ContactPair& pair : paired.pairs) pair.gap += contact.ownSpring().begin;
+  if (!contact.overclosure->note().empty()) notes.push_back("contact '" + contact.name + "': " + contact.overclosure->note());
+}
+
+/// Holds the outer nodes of coatings along the directions in which the nodes under them are held, on sides that are held along the coating
+/// only, as by a symmetry plane.
+void holdCoatings(const Mesh& mesh, Constraints& constraints) {
+  std::map<int, const NodeRule*> ruleOf;
+  for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
+  std::map<int, std::pair<int, bool>> held;  // outer node -> inner node, held along the coating only
+  for (const Coating& coating : mesh.coatings) {
+    const std::vector<int> inner = mesh.innerNodes(coating);
+    std::vector<Point> points;
+    for (const int node : inner) points.push_back(mesh.point(node));
+    const std::vector<NodeNormal> normals = nodeNormals(points, mesh.dimension);
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      const auto rule = ruleOf.find(inner[i]);
+      if (rule == ruleOf.end()) continue;
+      bool isAlong = true;
+      for (int k = 0; k < mesh.dimension; ++k) {
+        const NodeRule& own = *rule->second;
+        if (own.fixed[k]) isAlong = isAlong && own.value[k] == 0.0 && std::abs(dot(own.axes[k], unit(normals[i].density))) < kAlongCoating;
+      }
+      bool& all = held.try_emplace(mesh.outerNodes(coating)[i], inner[i], true).first->second.second;
+      all = all && isAlong;
+    }
+  }
+  std::vector<NodeRule> rules;
+  std::vector<Support> supports;
+  for (const auto& [outer, source] : held) {
+    if (!source.second) continue;
+    rules.push_back(*ruleOf.at(source.first));
+    rules.back().node = outer;
+    for (const Support& support : constraints.supports)
+      if (support.node == source.first) supports.push_back(support), supports.back().node = outer;
+  }
+  constraints.rules.insert(constraints.rules.end(), rules.begin(), rules.end());  // outer nodes have the highest numbers
+  constraints.supports.insert(constraints.supports.end(), supports.begin(), supports.end());
+}
+
 Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
                   const ContactScales& scales, Problems& problems) {
   for (ContactSurface& contact : contacts)
@@ -144,11 +188,17 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   buildRigidGroups(mesh, conditions, constraints, problems);
   for (const Condition& condition : conditions) constraints.conditions.push_back(condition.name);
   constraints.springs = springsOf(mesh, conditions);
+  holdCoatings(mesh, constraints);
   std::vector<PairedSurface> paired;
   for (const ContactSurface& contact : contacts) {
-    paired.push_back(pairSurface(mesh, contact, problems, constraints.notes));
-    noteInterference(contact, paired.back(), scales.lengthUnit, constraints.notes);
-    noteDistance(contact, paired.back(), scales.lengthUnit, constraints.notes);
+    std::vector<std::string> known;  // notes and problems of the first spring
+    Problems same;
+    const bool isFirst = contact.spring == 0;
+    std::vector<std::string>& notes = isFirst ? constraints.notes : known;
+    paired.push_back(pairSurface(mesh, contact, isFirst ? problems : same, notes));
+    noteInterference(contact, paired.back(), scales.lengthUnit, notes);
+    noteDistance(contact, paired.back(), scales.lengthUnit, notes);
+    if (contact.overclosure) soften(contact, paired.back(), notes);
     const int base = static_cast<int>(constraints.pairs.size());
     for (ContactPair pair : paired.back().pairs) {
       pair.id += base;

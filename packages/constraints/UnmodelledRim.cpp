@@ -110,7 +110,14 @@ void findOpenEnds(const Mesh& mesh, const std::vector<Condition>& conditions, co
       faces[contact.number].emplace_back(&*face->surface, rimNodes(*face->surface));
       nodes.insert(faces[contact.number].back().second.begin(), faces[contact.number].back().second.end());
     }
-  const FreeSides free(mesh, nodes, taken);
+  const std::map<int, int> under = nodesUnderCoatings(mesh);
+  const auto onBody = [&](int node) {
+    const auto found = under.find(node);
+    return found == under.end() ? node : found->second;
+  };
+  std::set<int> onBodies;
+  for (const int node : nodes) onBodies.insert(onBody(node));
+  const FreeSides free(mesh, onBodies, taken);
   std::set<int> last;
   for (const ContactPiece& piece : constraints.pieces) last.merge(rimPairs(piece.cells));
   for (const ContactPair& pair : constraints.pairs) {
@@ -120,7 +127,7 @@ void findOpenEnds(const Mesh& mesh, const std::vector<Condition>& conditions, co
       for (const PairEnd& end : pair.ends) {
         if (rim.count(end.node) == 0) continue;
         onRim = true;
-        closedOff = closedOff || !free.goOn(end.node, surface->normal(end.node));
+        closedOff = closedOff || !free.goOn(onBody(end.node), surface->normal(end.node));
       }
     if (onRim && !closedOff) constraints.pieces[pair.piece].openEnds.push_back(pair.id);
   }

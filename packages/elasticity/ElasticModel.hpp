@@ -117,7 +117,8 @@ Matrix elasticity(const Material& material, PlaneModel plane, int dimension);
 /// Calls `take(element, K)` with the stiffness matrix of every element, in Cartesian components, node-major: dof dimension * node + k. Uses
 /// the quadrature of stiffnessElement(), exact for affine cells; any Cell. [force / length, per unit thickness in 2D, of the whole circle
 /// in axisymmetric blocks]. Local. Mixed: the Lame constant acts on the projected dilatation (see MixedPressure.hpp) instead of the
-/// dilatation. K is exactly symmetric and valid during the call only. \throws InputError  for an inverted or folded element.
+/// dilatation. Then the same for the coatings, numbered after the elements (CoatedBlock). K is exactly symmetric and valid during the call
+/// only. \throws InputError  for an inverted or folded element.
 void elementStiffnesses(const CellBlock& block, const Material& material, PlaneModel plane,
                         const std::function<void(int element, ConstLocalView stiffness)>& take);
 /// The same with a material for each element (the whole mesh). A lambda must declare `-> const Material&`; the referenced material must

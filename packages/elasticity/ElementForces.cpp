@@ -1,4 +1,5 @@
 #include <suture/base/Errors.hpp>
+#include <suture/elasticity/Coatings.hpp>
 #include <suture/elasticity/ElementForces.hpp>
 #include <suture/elasticity/ElementMap.hpp>
 #include <suture/elasticity/EnhancedModes.hpp>
@@ -252,7 +253,10 @@ ElementForces forcesOf(const CellBlock& block, const std::function<const Materia
 
 ElementForces elementForces(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                             const Vector& displacement) {
-  return block.dimension == 2 ? forcesOf<2>(block, materialOf, plane, displacement) : forcesOf<3>(block, materialOf, plane, displacement);
+  ElementForces forces =
+      block.dimension == 2 ? forcesOf<2>(block, materialOf, plane, displacement) : forcesOf<3>(block, materialOf, plane, displacement);
+  addCoatingForces(block, displacement, forces);
+  return forces;
 }
 
 }  // namespace suture

@@ -15,7 +15,7 @@ struct ElementForces {
 /// Internal forces from stresses at quadrature points: the same integrals as elementStiffnesses(), without any matrix. Along directions in
 /// which translations need no energy, displacements enter as differences within an element, so only the round-off of these differences is
 /// left.
-/// Local. \param displacement  node-major, Cartesian. \throws InputError  if an element is folded
+/// Includes the forces of the coatings. Local. \param displacement  node-major, Cartesian. \throws InputError  if an element is folded
 ElementForces elementForces(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                             const Vector& displacement);
 

@@ -167,6 +167,7 @@ void elementStiffnesses(const CellBlock& block, const std::function<const Materi
     forEachElement<PlaneStiffness>(block, materialOf, plane, take);
   else
     forEachElement<SolidStiffness>(block, materialOf, plane, take);
+  coatingStiffnesses(block, take);
 }
 
 void elementStiffnesses(const CellBlock& block, const Material& material, PlaneModel plane, const TakeStiffness& take) {

@@ -20,4 +20,27 @@ SideKey CellBlock::keyOf(const Side& side) const {
   return sideKey(vertices, count);
 }
 
+std::map<int, int> nodesUnderCoatings(const CellBlock& block) {
+  std::map<int, int> under;
+  for (const Coating& coating : block.coatings) {
+    const std::vector<int> inner = block.innerNodes(coating);
+    const Span<const int> outer = block.outerNodes(coating);
+    for (std::size_t i = 0; i < inner.size(); ++i) under[outer[i]] = inner[i];
+  }
+  return under;
+}
+
+CoatedBlock::CoatedBlock(const CellBlock& block) : given_(block) {
+  if (block.coatings.empty()) return;
+  copy_ = block;
+  for (const Coating& coating : block.coatings) {
+    const std::vector<int> inner = block.innerNodes(coating);
+    const Span<const int> outer = block.outerNodes(coating);
+    copy_.cells.push_back(block.cells[coating.element]);
+    copy_.connectivity.insert(copy_.connectivity.end(), inner.begin(), inner.end());
+    copy_.connectivity.insert(copy_.connectivity.end(), outer.begin(), outer.end());
+    copy_.offsets.push_back(static_cast<int>(copy_.connectivity.size()));
+  }
+}
+
 }  // namespace suture

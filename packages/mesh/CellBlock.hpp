@@ -2,6 +2,8 @@
 #include <suture/base/Types.hpp>
 #include <suture/mesh/Cell.hpp>
 
+#include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -44,6 +46,17 @@ inline SideKey sideKey(const int* vertices, int count) {
 /// 2 pi r: length of the circle through a point of the meridian plane, for axisymmetric blocks.
 inline double circumference(double radius) { return 6.283185307179586476925286766559 * radius; }
 
+/// Springs on a side of an element, the elastic coating of a softened contact: they connect each node of the side with an outer node at the
+/// same place, which belongs to no element.
+struct Coating {
+  int element = -1;
+  int side = -1;            ///< number in cellInfo(...).sideNodes
+  int contact = -1;         ///< place in the list of contacts (ContactSurface::number)
+  int begin = 0;            ///< its outer nodes are CellBlock::coatingNodes[begin ...], in the order of the side's nodes
+  double normal = 0.0;      ///< stiffness along the side's normal [stress / length]
+  double tangential = 0.0;  ///< likewise along the side
+};
+
 /// Elements and their nodes, numbered from 0: the part of a mesh needed for assembly. Base of the whole mesh and of the mesh of a
 /// subdomain, so that elasticity serves both.
 struct CellBlock {
@@ -59,6 +72,11 @@ struct CellBlock {
 
   std::vector<int> regions;  ///< number of each element's region in the scene, or -1; empty: the scene has no regions
 
+  std::vector<Coating> coatings;  ///< springs of softened contacts; empty for most scenes
+  std::vector<int> coatingNodes;  ///< outer nodes of the coatings
+
+  /// Number of nodes without the outer nodes of coatings, which have the highest numbers.
+  int bodyNodes() const { return coatingNodes.empty() ? nodes() : *std::min_element(coatingNodes.begin(), coatingNodes.end()); }
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
   int elements() const { return static_cast<int>(cells.size()); }
   Span<const int> nodesOf(int element) const {
@@ -72,6 +90,28 @@ struct CellBlock {
   /// Nodes of a side, vertices first, in the order defined in SideGeometry.hpp.
   std::vector<int> nodesOf(const Side& side) const;
   SideKey keyOf(const Side& side) const;
+
+  /// Nodes of the coated side.
+  std::vector<int> innerNodes(const Coating& coating) const { return nodesOf(Side{coating.element, coating.side}); }
+  /// Outer nodes of a coating, in the order of innerNodes().
+  Span<const int> outerNodes(const Coating& coating) const {
+    return {coatingNodes.data() + coating.begin, cellInfo(cells[coating.element]).sideNodes[coating.side].size()};
+  }
+};
+
+/// Node under each outer node of the coatings, by outer node. Local.
+std::map<int, int> nodesUnderCoatings(const CellBlock& block);
+
+/// The block with every coating as one more element, whose nodes are the inner nodes, then the outer ones: the connectivity of stiffness
+/// matrices. Without coatings it is the block itself. Local.
+class CoatedBlock {
+ public:
+  explicit CoatedBlock(const CellBlock& block);
+  const CellBlock& block() const { return copy_.cells.empty() ? given_ : copy_; }
+
+ private:
+  const CellBlock& given_;
+  CellBlock copy_;
 };
 
 /// Calls visit(key, side) for every side of an element.

@@ -37,6 +37,20 @@ Surface::Surface(int dimension, const std::vector<Point>& points, const std::vec
   findNeighbours();
 }
 
+void Surface::renumber(const std::map<int, int>& to) {
+  const auto change = [&](std::vector<int>& numbers) {
+    for (int& node : numbers) node = to.at(node);
+  };
+  for (std::vector<int>& side : sides_) change(side);
+  change(branchings_);
+  std::map<int, Node> nodes;
+  for (auto& [node, data] : nodes_) {
+    change(data.beside);
+    nodes.emplace(to.at(node), std::move(data));
+  }
+  nodes_ = std::move(nodes);
+}
+
 Point Surface::normal(int node) const { return unit(at(node).weightedNormal); }
 
 void Surface::addSide(const std::vector<Point>& points, bool axisymmetric, const std::vector<int>& nodes) {

@@ -20,6 +20,9 @@ class Surface {
   /// Sides by their nodes. \param points  of all nodes, by number;  \param dimension  2 or 3
   Surface(int dimension, const std::vector<Point>& points, const std::vector<std::vector<int>>& sides);
 
+  /// The same surface with other nodes. \param to  new number of every node; keeps their order
+  void renumber(const std::map<int, int>& to);
+
   struct Node {
     Point position{0, 0, 0};
     Point weightedNormal{0, 0, 0};  ///< sum over sides of outward normal x share of the node [length or area]

@@ -126,13 +126,15 @@ void MonolithicSystem::number() {
 // Columns of the lower triangle from the neighbours of nodes, because a list of triplets would be several times larger than the matrix.
 SparseMatrix MonolithicSystem::pattern() const {
   const int dimension = mesh_.dimension, nodes = mesh_.nodes();
+  const CoatedBlock coated(mesh_);
+  const CellBlock& block = coated.block();
   std::vector<int> offset(nodes + 1, 0), elementsAt;
-  for (const int node : mesh_.connectivity) ++offset[node + 1];
+  for (const int node : block.connectivity) ++offset[node + 1];
   std::partial_sum(offset.begin(), offset.end(), offset.begin());
-  elementsAt.resize(mesh_.connectivity.size());
+  elementsAt.resize(block.connectivity.size());
   std::vector<int> next(offset.begin(), offset.end() - 1);
-  for (int e = 0; e < mesh_.elements(); ++e)
-    for (const int node : mesh_.nodesOf(e)) elementsAt[next[node]++] = e;
+  for (int e = 0; e < block.elements(); ++e)
+    for (const int node : block.nodesOf(e)) elementsAt[next[node]++] = e;
 
   std::vector<int> nodeOf(dofs_);
   for (std::size_t c = 0; c < index_.size(); ++c)
@@ -141,7 +143,7 @@ SparseMatrix MonolithicSystem::pattern() const {
   const auto columnRows = [&](int column) {
     rows.clear();
     for (int at = offset[nodeOf[column]]; at < offset[nodeOf[column] + 1]; ++at)
-      for (const int other : mesh_.nodesOf(elementsAt[at])) {
+      for (const int other : block.nodesOf(elementsAt[at])) {
         if (seen[other] == column) continue;
         seen[other] = column;
         for (int k = 0; k < dimension; ++k)
@@ -179,8 +181,9 @@ void MonolithicSystem::assemble() {
   const int *outer = matrix.outerIndexPtr(), *inner = matrix.innerIndexPtr();
   double* values = matrix.valuePtr();
   Matrix k;
+  const CoatedBlock coated(mesh_);
   const auto take = [&](int element, ConstLocalView stiffness) {
-    const Span<const int> nodes = mesh_.nodesOf(element);
+    const Span<const int> nodes = coated.block().nodesOf(element);
     const int size = int(nodes.size()) * dimension;
     k = stiffness;
     for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -33,6 +33,7 @@ std::vector<int> components(const CellBlock& block, const std::vector<RigidGroup
   }
   for (const RigidGroup& group : rigidGroups)
     for (const int node : group.nodes) sets.join(group.nodes.front(), node);
+  for (const auto& [outer, inner] : nodesUnderCoatings(block)) sets.join(outer, inner);
   std::vector<int> number(block.nodes(), -1), part(block.nodes());
   int parts = 0;
   for (int i = 0; i < block.nodes(); ++i) {

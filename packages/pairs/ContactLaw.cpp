@@ -2,6 +2,7 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/pairs/ContactLaw.hpp>
 #include <suture/pairs/FrictionLaws.hpp>
+#include <suture/pairs/Overclosure.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -52,8 +53,24 @@ void registerBuiltIns(Registry<ContactLaw>& registry) {
                [](const Constants&, const Parameters&) { return std::make_unique<NoSeparation>(); });
 }
 
+namespace {
+
+/// Law of a further spring of a softened contact: friction in proportion to its own pressure; stresses that do not depend on the pressure
+/// belong to the first spring.
+std::shared_ptr<const ContactLaw> lawOfFurtherSpring(const Parameters& entry, const Constants& constants) {
+  if (entry.get<std::string>("Law") != Coulomb::kName) return std::make_shared<Frictionless>();
+  Parameters own = entry.sublist(Coulomb::kName);
+  own.set("Cohesion", std::string("0"));
+  return std::make_shared<Coulomb>(constants, own);
+}
+
+}  // namespace
+
 ContactLaws::ContactLaws(const Parameters& contact, const Constants& constants) {
-  for (const std::string& name : sublistNames(contact)) laws_.push_back(makeStrategy<ContactLaw>(contact.sublist(name), "Law", constants));
+  for (const ContactLine& line : contactLines(contact)) {
+    const Parameters& own = contact.sublist(line.name);
+    laws_.push_back(line.spring == 0 ? makeStrategy<ContactLaw>(own, "Law", constants) : lawOfFurtherSpring(own, constants));
+  }
 }
 
 bool ContactLaws::restrictSliding() const {

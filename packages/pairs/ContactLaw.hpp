@@ -71,7 +71,7 @@ class ContactLaws {
  public:
   ContactLaws() = default;
   explicit ContactLaws(std::vector<std::shared_ptr<const ContactLaw>> laws) : laws_(std::move(laws)) {}
-  /// Laws named in the scene's list `Contact`. \throws InputError  the parameters of a law
+  /// Laws named in the scene's list `Contact`, by contactLines(). \throws InputError  the parameters of a law
   explicit ContactLaws(const Parameters& contact, const Constants& constants = {});
 
   const ContactLaw& of(int line) const;

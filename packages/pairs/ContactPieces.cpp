@@ -29,9 +29,11 @@ void nameThem(const std::vector<ContactSurface>& contacts, const std::vector<int
   for (ContactPiece& piece : pieces) {
     int last = -1;
     for (const int id : piece.pairs) {  // in the order of the contacts
+      const ContactSurface& contact = contacts[contactOf[id]];
       if (contactOf[id] == last) continue;
-      piece.name += (last < 0 ? "" : " + ") + contacts[contactOf[id]].name;
       last = contactOf[id];
+      if (contact.spring > 0 && !piece.name.empty()) continue;  // an earlier pair has the same entry
+      piece.name += (piece.name.empty() ? "" : " + ") + contact.name;
     }
     const int use = ++uses[piece.name];
     if (use > 1) piece.name += " " + std::to_string(use);

@@ -151,6 +151,7 @@ Contact contactIn(const Parameters& list, const std::string& name, int dimension
   readCoupling(list, contact);
   if (list.get<std::string>("Direction") == "Side") contact.direction = Contact::Direction::Side;
   contact.tolerance = list.get<double>("Tolerance");
+  contact.overclosure = Overclosure::read(list, problems);
   contact.groupsA = groupNames(list, "Side A");
   contact.groupsB = groupNames(list, "Side B");
   return contact;
@@ -181,14 +182,96 @@ Contact Contact::with(const Obstacle& obstacle, const std::string& group) {
   return contact;
 }
 
-std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Contact>& contacts, Problems& problems) {
+std::vector<Contact> withSprings(std::vector<Contact> contacts) {
+  const std::size_t entries = contacts.size();
+  for (std::size_t i = 0; i < entries; ++i)
+    for (std::size_t spring = 1; contacts[i].overclosure && spring < contacts[i].overclosure->springs().size(); ++spring) {
+      contacts.push_back(contacts[i]);
+      contacts.back().spring = static_cast<int>(spring);
+    }
+  return contacts;
+}
+
+namespace {
+
+/// Coats face A of a contact. \param number  of its line
+void addCoating(Mesh& mesh, const Contact& contact, int number) {
+  const std::vector<Side> sides = sidesOf(mesh.sideGroups, contact.groupsA);
+  std::map<int, int> outerOf;
+  for (const Side& side : sides)
+    for (const int node : mesh.nodesOf(side)) outerOf[node] = -1;
+  for (auto& [inner, outer] : outerOf) {
+    outer = mesh.nodes();
+    const Point place = mesh.point(inner);
+    mesh.coordinates.insert(mesh.coordinates.end(), place.begin(), place.begin() + mesh.dimension);
+    mesh.bodyOfNode.push_back(mesh.bodyOfNode[static_cast<std::size_t>(inner)]);
+  }
+  const double stiffness = contact.ownSpring().stiffness;
+  for (const Side& side : sides) {
+    mesh.coatings.push_back({side.element, side.side, number, static_cast<int>(mesh.coatingNodes.size()), stiffness,
+                             stiffness * contact.overclosure->tangentialRatio()});
+    for (const int node : mesh.nodesOf(side)) mesh.coatingNodes.push_back(outerOf.at(node));
+  }
+}
+
+/// Replaces the nodes of face A by the outer nodes of its coating.
+void coat(const Mesh& mesh, ContactSurface& contact) {
+  if (!contact.overclosure || !contact.a.surface) return;
+  std::map<int, int> outerOf;
+  for (const Coating& coating : mesh.coatings) {
+    if (coating.contact != contact.number) continue;
+    const std::vector<int> inner = mesh.innerNodes(coating);
+    for (std::size_t i = 0; i < inner.size(); ++i) outerOf[inner[i]] = mesh.outerNodes(coating)[i];
+  }
+  if (outerOf.size() != contact.a.surface->nodes().size()) throw InternalError("a softened contact without coating (addCoatings)");
+  contact.a.surface->renumber(outerOf);
+}
+
+}  // namespace
+
+void addCoatings(Mesh& mesh, const std::vector<Contact>& contacts) {
+  const std::vector<Contact> lines = withSprings(contacts);
+  for (std::size_t number = 0; number < lines.size(); ++number)
+    if (lines[number].overclosure) addCoating(mesh, lines[number], static_cast<int>(number));
+}
+
+void removeCoatings(Mesh& mesh) {
+  const auto nodes = static_cast<std::size_t>(mesh.bodyNodes());
+  mesh.coordinates.resize(nodes * mesh.dimension);
+  mesh.bodyOfNode.resize(nodes);
+  mesh.coatings.clear();
+  mesh.coatingNodes.clear();
+}
+
+void addCoatings(Mesh& mesh, const Parameters& contact) {
+  std::vector<Contact> contacts(sublistNames(contact).size());
+  for (const ContactLine& line : contactLines(contact)) {
+    Contact& own = contacts[static_cast<std::size_t>(line.entry)];
+    own.overclosure = line.law;
+    own.groupsA = groupNames(contact.sublist(line.name), "Side A");
+  }
+  addCoatings(mesh, contacts);
+}
+
+std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Contact>& entries, Problems& problems) {
   std::vector<ContactSurface> surfaces;
+  const std::vector<Contact> contacts = withSprings(entries);
   if (contacts.empty()) return surfaces;
   const SideTable table(mesh, allSides(mesh, contacts));
   Taken taken;
   for (std::size_t number = 0; number < contacts.size(); ++number) {
-    const std::size_t before = problems.list().size();
     ContactSurface surface{contacts[number], int(number), {}, {}};
+    if (surface.spring > 0) {  // its first spring has been checked
+      const auto first = std::find_if(surfaces.begin(), surfaces.end(), [&](const auto& own) { return own.path == surface.path; });
+      if (first == surfaces.end()) continue;
+      Problems known;
+      surface.a = readFace(mesh, table, surface.groupsA, "", known);
+      surface.b = first->b;
+      coat(mesh, surface);
+      surfaces.push_back(std::move(surface));
+      continue;
+    }
+    const std::size_t before = problems.list().size();
     checkGroups(surface, mesh.sideGroupKind(), problems);
     const std::string pathA = surface.path + "/Side A", pathB = surface.path + "/Side B";
     surface.a = readFace(mesh, table, surface.groupsA, pathA, problems);
@@ -199,7 +282,9 @@ std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Conta
       problems.add(pathB, surface.b.name() + " and Side A have elements in common, as at " + common + "; a side does not touch itself");
     else
       taken.claim(mesh, surface, problems);
-    if (problems.list().size() == before) surfaces.push_back(std::move(surface));
+    if (problems.list().size() > before) continue;
+    coat(mesh, surface);
+    surfaces.push_back(std::move(surface));
   }
   return surfaces;
 }
@@ -213,8 +298,12 @@ std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& cont
     sound.push_back(problems.list().size() == before);
   }
   std::vector<ContactSurface> surfaces = contactsOn(mesh, given, problems);
-  surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(), [&](const ContactSurface& s) { return !sound[std::size_t(s.number)]; }),
-                 surfaces.end());
+  const auto isUnsound = [&](const ContactSurface& surface) {
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (given[i].path == surface.path) return !sound[i];
+    return true;
+  };
+  surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(), isUnsound), surfaces.end());
   return surfaces;
 }
 
@@ -231,6 +320,9 @@ Schema contactSchema(const std::string& law, const std::map<std::string, Schema>
       .orOne()
       .optional()
       .choice("Law", law, laws, "forces that the two sides may exert on each other")
+      .choice(Overclosure::kParameter, "Hard", Overclosure::choices(),
+              "pressure as a function of the overclosure (negative gap) of the two sides: softened contact, a layer of springs on Side A. "
+              "Hard: no overclosure")
       .choice("Obstacle", "None", Obstacle::choices(), "rigid obstacle for Side A instead of a second body")
       .oneOf("Direction", "Obstacle", {"Obstacle", "Side"},
              "with an Obstacle, normal along which contact acts and gaps are measured: that of the obstacle, or of Side A")

@@ -5,6 +5,7 @@
 #include <suture/mesh/Mesh.hpp>
 #include <suture/mesh/Surface.hpp>
 #include <suture/pairs/Obstacle.hpp>
+#include <suture/pairs/Overclosure.hpp>
 
 #include <map>
 #include <optional>
@@ -49,7 +50,12 @@ struct Contact {
   /// Normal of the pairs with an obstacle, along which their gap is measured: the obstacle's normal at the foot of the node, or the face's
   /// normal.
   enum class Direction { Obstacle, Side } direction = Direction::Obstacle;
-  std::optional<Expression> initialGap;  ///< replaces the gap of the geometry [length]
+  std::optional<Expression> initialGap;    ///< replaces the gap of the geometry [length]
+  std::optional<Overclosure> overclosure;  ///< softens the contact by springs on face A; nothing: hard contact
+  int spring = 0;                          ///< spring of `overclosure` that this contact presses (withSprings())
+
+  /// Stiffness and begin of that spring; only with an overclosure.
+  const Overclosure::Spring& ownSpring() const { return overclosure->springs()[static_cast<std::size_t>(spring)]; }
 
   /// Contact between two faces.
   static Contact between(const std::string& groupA, const std::string& groupB);
@@ -72,14 +78,25 @@ struct ContactSurface : Contact {
   double shareOfA() const { return compliance() > 0 ? a.compliance / compliance() : 0.5; }
 };
 
+/// The contacts, each with its first spring, then those of further springs, in the order of contactLines(). Local.
+std::vector<Contact> withSprings(std::vector<Contact> contacts);
+
+/// Adds the coatings of softened contacts, with their outer nodes, to a mesh with bodies (assignBodies()). Without such contacts the mesh
+/// is unchanged. Contacts on unknown groups are left out: contactsOn() reports them. Local (rank 0).
+void addCoatings(Mesh& mesh, const std::vector<Contact>& contacts);
+/// The same for the scene's list `Contact`. \throws InputError  invalid laws of overclosure
+void addCoatings(Mesh& mesh, const Parameters& contact);
+/// Inverse of addCoatings(). Local.
+void removeCoatings(Mesh& mesh);
+
 /// Schema of an entry of the scene's list `Contact`. \param law  default of its choice `Law` \param laws  choices of `Law`, by name: the
 /// pairs do not depend on the law
 Schema contactSchema(const std::string& law, const std::map<std::string, Schema>& laws);
 
-/// Contacts on the mesh, without those that have a problem. Local.
-/// \param problems  receives: an unknown or empty group; a face inside the material, or with branches or sharp corners; the same group on
-/// both sides, or a single body on both; a side in two contacts; first- and second-order sides in one face; a face B together with an
-/// obstacle, or neither
+/// Contacts on the mesh, without those that have a problem; those of further springs come last (withSprings()). Face A of a softened
+/// contact consists of the outer nodes of its coating (addCoatings()). Local. \param problems  receives: an unknown or empty group; a face
+/// inside the material, or with branches or sharp corners; the same group on both sides, or a single body on both; a side in two contacts;
+/// first- and second-order sides in one face; a face B together with an obstacle, or neither
 std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Contact>& contacts, Problems& problems);
 
 /// Reads the list and leaves out entries with a problem. Local. \param problems  receives what contactsOn() finds, and invalid expressions

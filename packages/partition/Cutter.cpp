@@ -207,6 +207,14 @@ void Cutter::cutElements(SubdomainMesh& part) {
     for (int node : block_.nodesOf(e)) part.connectivity.push_back(localNode_[node]);
     part.offsets.push_back(static_cast<int>(part.connectivity.size()));
   }
+  for (Coating coating : block_.coatings) {
+    if (share_.subdomainOfElement[coating.element] != part.id) continue;
+    const Span<const int> outer = block_.outerNodes(coating);
+    coating.element = localElement_[coating.element];
+    coating.begin = static_cast<int>(part.coatingNodes.size());
+    part.coatings.push_back(coating);
+    for (const int node : outer) part.coatingNodes.push_back(localNode_[node]);
+  }
   part.globalNodes.reserve(nodes.size());
   part.coordinates.reserve(nodes.size() * block_.dimension);
   part.sharedOffsets.reserve(nodes.size() + 1);

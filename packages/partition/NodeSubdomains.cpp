@@ -8,15 +8,20 @@ namespace suture {
 NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement) {
   constexpr int none = -1, several = -2;
   std::vector<int> only(block.nodes(), none);
-  for (int e = 0; e < block.elements(); ++e)
-    for (const int node : block.nodesOf(e)) {
-      int& known = only[node];
-      known = known == none || known == subdomainOfElement[e] ? subdomainOfElement[e] : several;
-    }
+  const auto forEachPlace = [&](const auto& visit) {
+    for (int e = 0; e < block.elements(); ++e)
+      for (const int node : block.nodesOf(e)) visit(node, subdomainOfElement[e]);
+    for (const Coating& coating : block.coatings)
+      for (const int node : block.outerNodes(coating)) visit(node, subdomainOfElement[coating.element]);
+  };
+  forEachPlace([&](int node, int subdomain) {
+    int& known = only[node];
+    known = known == none || known == subdomain ? subdomain : several;
+  });
   std::vector<std::pair<int, int>> shared;
-  for (int e = 0; e < block.elements(); ++e)
-    for (const int node : block.nodesOf(e))
-      if (only[node] == several) shared.emplace_back(node, subdomainOfElement[e]);
+  forEachPlace([&](int node, int subdomain) {
+    if (only[node] == several) shared.emplace_back(node, subdomain);
+  });
   std::sort(shared.begin(), shared.end());
   shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
 

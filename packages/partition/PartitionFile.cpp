@@ -26,7 +26,7 @@ std::string version() {
   Packer packer;
   pack(sample, packer);
   text += "." + std::to_string(std::move(packer).bytes().size());
-  for (const std::size_t size : {sizeof(NodeRule), sizeof(Support), sizeof(SpringDirection), sizeof(Side), sizeof(PairEnd),
+  for (const std::size_t size : {sizeof(NodeRule), sizeof(Support), sizeof(SpringDirection), sizeof(Side), sizeof(PairEnd), sizeof(Coating),
                                  sizeof(SubdomainMesh::ContactEnd), sizeof(SubdomainMesh::SeamSide), sizeof(Cell), sizeof(std::size_t)})
     text += "." + std::to_string(size);
   return text;

@@ -13,6 +13,8 @@ void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.connectivity);
   each(part.axisymmetric);
   each(part.regions);
+  each(part.coatings);
+  each(part.coatingNodes);
   each(part.id);
   each(part.body);
   each(part.group);

@@ -52,7 +52,7 @@ class PointNumbers {
   // Adds the nodes of the next subdomain.
   const std::vector<GlobalId>& of(const SubdomainMesh& mesh) {
     numbers_.clear();
-    for (int n = 0; n < mesh.nodes(); ++n) {
+    for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n) {
       const GlobalId node = mesh.globalNodes[std::size_t(n)];
       const bool known = !isNew(mesh, n);
       numbers_.push_back(known ? ofSeam_.at(node) : next_++);
@@ -71,7 +71,7 @@ class PointNumbers {
 GridSize sizeOf(const std::vector<SubdomainMesh>& subdomains, const PointNumbers& numbers) {
   GridSize size;
   for (const SubdomainMesh& mesh : subdomains) {
-    for (int n = 0; n < mesh.nodes(); ++n) size.points += numbers.isNew(mesh, n);
+    for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n) size.points += numbers.isNew(mesh, n);
     size.cells += mesh.elements();
     size.connectivity += static_cast<GlobalId>(mesh.connectivity.size());
   }
@@ -79,7 +79,7 @@ GridSize sizeOf(const std::vector<SubdomainMesh>& subdomains, const PointNumbers
 }
 
 void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vector& u, Piece& all) {
-  for (int n = 0; n < mesh.nodes(); ++n) {
+  for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n) {
     if (!numbers.isNew(mesh, n)) continue;
     const Point x = mesh.point(n);
     all.grid.points.insert(all.grid.points.end(), x.begin(), x.end());
@@ -90,7 +90,7 @@ void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vect
 
 /// \param u  displacements since an earlier time
 void addSince(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vector& u, Piece& all) {
-  for (int n = 0; n < mesh.nodes(); ++n)
+  for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n)
     for (int k = 0; k < 3 && numbers.isNew(mesh, n); ++k)
       all.since.push_back(k < mesh.dimension ? u[Eigen::Index(n) * mesh.dimension + k] : 0.0);
 }
@@ -106,7 +106,7 @@ void appendTensor(const Matrix& stresses, Eigen::Index row, std::vector<double>&
 void addNodalStresses(const SubdomainMesh& mesh, const PointNumbers& numbers, const Matrix& stresses, Piece& all) {
   const Matrix principal = principalStresses(stresses);
   const Vector mises = vonMises(stresses);
-  for (int n = 0; n < mesh.nodes(); ++n) {
+  for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n) {
     if (!numbers.isNew(mesh, n)) continue;
     appendTensor(stresses, n, all.nodalStress);
     all.nodalVonMises.push_back(mises[n]);
@@ -290,7 +290,7 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     if (!run.solution.nodalStresses.empty()) addNodalStresses(mesh, numbers, run.solution.nodalStresses[s], piece);
     if (run.solution.sinceTime) addSince(mesh, numbers, run.solution.since[s], piece);
     if (!run.solution.safety.nodal.empty())
-      for (int n = 0; n < mesh.nodes(); ++n)
+      for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n)
         if (numbers.isNew(mesh, n)) piece.nodalSafety.push_back(writtenFactor(run.solution.safety.nodal[s][n]));
     addCells(mesh, numbers.of(mesh), piece);
     addMaterials(mesh, run.model, materials, piece);

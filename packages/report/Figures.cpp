@@ -135,7 +135,7 @@ double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& m
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const int d = meshes[s].dimension;
     const Vector u = withLift(meshes[s], displacement[s]);
-    for (int n = 0; n < meshes[s].nodes(); ++n) squared = std::max(squared, u.segment(n * d, d).squaredNorm());
+    for (int n = 0, nodes = meshes[s].bodyNodes(); n < nodes; ++n) squared = std::max(squared, u.segment(n * d, d).squaredNorm());
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, squared, Teuchos::outArg(all));
   return std::sqrt(all);

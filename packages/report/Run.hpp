@@ -10,6 +10,7 @@
 #include <suture/report/Steps.hpp>
 #include <suture/solver/ProblemSize.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct Run {
   /// Names of all contacts of the load steps (StepRow::forceOnB), of which a scene whose bodies are removed or placed may now have only
   /// some.
   std::vector<std::string> contactsOfPath{};
+  std::shared_ptr<const void> owned{};  ///< holder of referenced objects that nothing else holds
 };
 
 /// The number of space dimensions of the run, also on ranks without subdomains. Collective.

@@ -122,11 +122,13 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
   row.sticking = states[2];
   row.slipping = states[3];
   if (comm().getRank() == 0) {
-    const std::vector<std::string>&all = parts_.contactsOfPath(), &own = scene().contacts;
+    const std::vector<std::string> all = parts_.contactsOfPath(), &own = scene().contacts;
     row.forceOnB.assign(all.size(), {0, 0, 0});
     const std::vector<ContactResultant> lines = contactResultants(solution.pairs, static_cast<int>(own.size()), scene().model.axisymmetric);
-    for (std::size_t i = 0; i < own.size(); ++i)
-      row.forceOnB[static_cast<std::size_t>(std::find(all.begin(), all.end(), own[i]) - all.begin())] = lines[i].onB.force;
+    for (std::size_t i = 0; i < own.size(); ++i) {  // the springs of a softened contact have one name
+      Point& onB = row.forceOnB[static_cast<std::size_t>(std::find(all.begin(), all.end(), own[i]) - all.begin())];
+      onB = plus(onB, lines[i].onB.force);
+    }
   }
   doubts_.add(solution.verification, ", " + timeText(row.time));
   solution.verification.checks.push_back(

@@ -89,6 +89,8 @@ Phases::Phases(const Scene& scene) {
   }
   if (isCut(scene))
     problems.add("Partition/Type", "a partitioned mesh with bodies that are removed or placed; expected METIS or Named Groups");
+  if (!scene.lines.empty())
+    problems.add("Contact", "a softened contact (Pressure Overclosure) in a scene with bodies that are removed or placed is not supported");
   if (!scene.model.exact.empty()) problems.add("Exact Solution", "found in a scene with bodies that are removed or placed");
   if (hasControlledLoads(scene))
     problems.add("Boundary Conditions",

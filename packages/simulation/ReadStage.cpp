@@ -15,6 +15,7 @@ Mesh readBodies(const Comm& comm, const Scene& scene) {
     assignBodies(mesh, scene.model.bodies);
     assignRegions(mesh, scene.settings().sublist("Bodies"));
     if (scene.model.axisymmetric) makeAxisymmetric(mesh);
+    if (scene.coat) scene.coat(mesh);
   });
   return mesh;
 }

@@ -9,6 +9,7 @@
 #include <suture/report/Units.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/Scene.hpp>
+#include <suture/simulation/SoftenedContacts.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -88,7 +89,14 @@ void record(const std::vector<Contact>& contacts, Parameters& list, Problems& pr
   }
 }
 
+void setLines(Scene& scene, const std::vector<ContactLine>& lines) {
+  for (const ContactLine& line : lines) scene.contacts.push_back(line.name);
+  if (std::any_of(lines.begin(), lines.end(), [](const ContactLine& line) { return line.law.has_value(); })) scene.lines = lines;
+}
+
 }  // namespace
+
+std::vector<std::string> Scene::entries() const { return lines.empty() ? contacts : entryNames(lines); }
 
 Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, const std::vector<Condition>& conditions,
                 const std::vector<Contact>& contacts, const std::vector<std::string>& settings) {
@@ -107,7 +115,11 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
     scene.model.loads[i].path = "ElasticModel::loads/" + std::to_string(i + 1);
   }
   for (std::size_t i = 0; i < model.supports.size(); ++i) scene.model.supports[i].name = nameOf(model.supports[i], i);
-  for (const Contact& contact : contacts) scene.contacts.push_back(contact.name);
+  std::vector<std::string> names;
+  std::vector<std::optional<Overclosure>> softened;
+  for (const Contact& contact : contacts) names.push_back(contact.name), softened.push_back(contact.overclosure);
+  setLines(scene, contactLines(names, softened));
+  if (!scene.lines.empty()) scene.coat = [contacts](Mesh& whole) { addCoatings(whole, contacts); };
   scene.mesh = [mesh](const Comm& comm) { return onRoot(comm, "making the mesh", mesh); };
   std::vector<Condition> all = conditions;
   for (std::size_t i = 0; i < model.loads.size(); ++i) all.push_back(conditionOf(model.loads[i], scene.model.loads[i].name));
@@ -127,13 +139,14 @@ Scene sceneOf(const SceneFile& file) {
   const Teuchos::RCP<const Parameters> all = file.parameters;
   scene.model = makeElasticModel(*all);
   scene.kinds = subdomainKinds(all->sublist("Bodies"));
-  scene.contacts = sublistNames(all->sublist("Contact"));
+  setLines(scene, contactLines(all->sublist("Contact")));
   scene.laws = ContactLaws(all->sublist("Contact"), sceneConstants(*all));
   std::vector<LoadSteps::Named> named;
   for (const std::string& name : sublistNames(all->sublist("Boundary Conditions")))
     named.emplace_back(name, all->sublist("Boundary Conditions").sublist(name).get<std::string>("Type"));
   scene.steps = LoadSteps(all->sublist("Load Steps"), named, sceneConstants(*all));
   checkSince(scene);
+  if (!scene.lines.empty()) scene.coat = [all](Mesh& mesh) { addCoatings(mesh, all->sublist("Contact")); };
   scene.mesh = [all, folder = file.folder](const Comm& comm) { return readMesh(comm, all->sublist("Mesh"), folder); };
   scene.constraints = [all, scales = scalesOf(scene.model, *all), steps = scene.steps](const Mesh& mesh) {
     return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales, steps);

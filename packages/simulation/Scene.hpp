@@ -18,11 +18,14 @@ namespace suture {
 struct Scene {
   /// The mesh on rank 0, empty on other ranks; its bodies are element groups. Collective.
   std::function<Mesh(const Comm&)> mesh;
+  /// Adds the coatings of softened contacts to the mesh with its bodies; on rank 0. Empty: there are none.
+  std::function<void(Mesh&)> coat{};
   /// Rules, pairs and pieces of the mesh with its bodies, without contact laws. On rank 0.
   std::function<Constraints(const Mesh&)> constraints;
   ElasticModel model;
   std::vector<SubdomainKind> kinds;   ///< physics of each body; empty: all elastic
-  std::vector<std::string> contacts;  ///< names of the contact lines
+  std::vector<std::string> contacts;  ///< names of the contact lines; the springs of a softened contact are lines of one name
+  std::vector<ContactLine> lines{};   ///< contact lines; empty: none is softened
   LoadSteps steps{};                  ///< load steps; empty: all loads at once
   bool isOneStep = false;             ///< only the first step is requested
   ContactLaws laws;                   ///< laws of the contact lines; empty: frictionless
@@ -30,6 +33,8 @@ struct Scene {
   std::vector<Scene> levels;          ///< the scene on coarser meshes for a nested start, coarsest first
 
   const Parameters& settings() const { return *file.parameters; }
+  /// Names of the entries of the list `Contact`.
+  std::vector<std::string> entries() const;
 };
 
 /// Creates the objects of a scene file. Local, the same on all ranks.

@@ -3,6 +3,7 @@
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/Restart.hpp>
 #include <suture/simulation/SceneParts.hpp>
+#include <suture/simulation/SoftenedContacts.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -118,23 +119,39 @@ void judgeSolution(SceneParts& parts, const Subdomains& subdomains, Solution& so
   timed(timers, "verify", [&] { findAnswers(comm, meshes, scene, solution); });
 }
 
+std::optional<EntryResults> entryResults(const SceneParts& parts, const Solution& solution) {
+  if (parts.scene.lines.empty()) return std::nullopt;
+  return resultsOfEntries(parts.scene.lines, solution, parts.cut.whole.pieces, parts.size);
+}
+
 Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& invocation) {
+  const Solution* results = &solution;
+  const std::vector<ContactPiece>* pieces = &parts.cut.whole.pieces;
+  const ProblemSize* size = &parts.size;
+  std::shared_ptr<const EntryResults> joined;
+  if (std::optional<EntryResults> own = entryResults(parts, solution)) {
+    joined = std::make_shared<const EntryResults>(*std::move(own));
+    results = &joined->solution;
+    pieces = &joined->pieces;
+    size = &joined->size;
+  }
   return {parts.run.comm(),
           parts.plan ? parts.plan->whole.file : parts.scene.file,
           parts.scene.model,
-          parts.cut.whole.pieces,
+          *pieces,
           parts.cut.meshes,
-          parts.size,
-          solution,
+          *size,
+          *results,
           parts.run.monitor(),
           parts.run.timers(),
           parts.meshHash(),
           invocation,
           parts.run.folder(),
           parts.cut.whole.conditions,
-          parts.scene.contacts,
+          parts.scene.entries(),
           parts.path ? parts.path->rows : std::vector<StepRow>(),
-          parts.contactsOfPath()};
+          parts.contactsOfPath(),
+          joined};
 }
 
 void writeState(const SceneParts& parts, const Solution& solution) {

@@ -6,6 +6,7 @@
 #include <suture/simulation/Phases.hpp>
 #include <suture/simulation/RunContext.hpp>
 #include <suture/simulation/Scene.hpp>
+#include <suture/simulation/SoftenedContacts.hpp>
 #include <suture/solver/Method.hpp>
 
 #include <map>
@@ -59,7 +60,7 @@ struct SceneParts {
   /// Adds the fits to the gaps of the pairs, before the mesh is cut. Local.
   void fitPairs();
   /// Names of all contacts on the path, of which the present phase may have only some.
-  const std::vector<std::string>& contactsOfPath() const { return plan ? plan->whole.contacts : scene.contacts; }
+  std::vector<std::string> contactsOfPath() const { return plan ? plan->whole.entries() : scene.entries(); }
   /// Time of `Output/Displacements Since`, if it has been reached; the same on all ranks.
   std::optional<double> sinceTime() const;
   /// True if the scene has load steps, all of which are requested.
@@ -86,6 +87,9 @@ std::vector<BodyForces> inSituForces(const SceneParts& parts);
 /// Settles undetermined motions, adds errors, verdict and extremes to a solution. Collective.
 /// \param subdomains  as in verifySolution()
 void judgeSolution(SceneParts& parts, const Subdomains& subdomains, Solution& solution);
+
+/// Results by entries of the list `Contact`; nothing if no contact is softened. Local.
+std::optional<EntryResults> entryResults(const SceneParts& parts, const Solution& solution);
 
 /// The run of a solution, for reports. \param rows  load steps so far
 Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& invocation = {});

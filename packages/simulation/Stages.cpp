@@ -17,6 +17,7 @@
 #include <suture/simulation/PhaseChange.hpp>
 #include <suture/simulation/ReadStage.hpp>
 #include <suture/simulation/Restart.hpp>
+#include <suture/simulation/SoftenedContacts.hpp>
 #include <suture/simulation/Stages.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolverSchema.hpp>
@@ -310,19 +311,22 @@ JudgedScene judge(SolvedScene solved) {
   if (!solved.isJudged_) judgeSolution(parts, subdomains, solution);
   // Once per run: load steps and coupled solves share the mesh.
   estimateMesh(comm, parts.cut.meshes, subdomains, parts.scene, parts.path.get(), solution, parts.run.timers());
-  const std::vector<ContactPiece>& pieces = parts.cut.whole.pieces;
+  const std::optional<EntryResults> joined = entryResults(parts, solution);
+  const std::vector<ContactPiece>& pieces = joined ? joined->pieces : parts.cut.whole.pieces;
+  const Solution& shown = joined ? joined->solution : solution;
   const auto add = [&](const std::vector<std::string>& notes) {
     for (const std::string& note : notes) parts.run.monitor().note(note);
   };
   add(meshNotes(solution));
-  add(pressureNotes(comm, pieces, solution));
-  add(plausibilityNotes(comm, parts.cut.meshes, parts.scene.model, pieces, solution));
+  add(pressureNotes(comm, pieces, shown));
+  add(plausibilityNotes(comm, parts.cut.meshes, parts.scene.model, pieces, shown));
   if (!parts.followsPath()) solved.doubts_.add(solution.verification);
   add(solved.doubts_.warnings());
   if (solution.converged)
     add(timed(parts.run.timers(), "verify", [&] { return solved.overlaps_->added(comm, parts.scene, solution.displacement); }));
-  add(singularNotes(comm, parts.cut.meshes, parts.scene.model, solution));
+  add(singularNotes(comm, parts.cut.meshes, parts.scene.model, shown));
   add(safetyNotes(parts.scene.model, solution.safety));
+  if (joined) add(overclosureNotes(parts.scene.lines, shown, parts.scene.model.dimension));
   return JudgedScene(std::move(solved));
 }
 

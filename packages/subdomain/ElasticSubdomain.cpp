@@ -78,6 +78,7 @@ Vector ElasticSubdomain::youngModulus() const {
   for (int element = 0; element < mesh().elements(); ++element)
     for (const int node : mesh().nodesOf(element))
       young.segment(node * d, d) = young.segment(node * d, d).cwiseMax(materialOf(element).young);
+  for (const auto& [outer, inner] : nodesUnderCoatings(mesh())) young.segment(outer * d, d) = young.segment(inner * d, d);
   return young;
 }
 

@@ -179,10 +179,11 @@ Matrix Subdomain::idleMasters() const {
 SparseMatrix Subdomain::assembled(
     const std::function<void(const std::function<void(int element, ConstLocalView stiffness)>& take)>& elements) const {
   const int d = components();
+  const CoatedBlock coated(mesh_);
   ElementMatrices matrices;
   matrices.reserve(mesh_.connectivity.size() * mesh_.connectivity.size() / std::max(mesh_.elements(), 1) * d * d);
   elements([&](int element, ConstLocalView given) {
-    const auto nodes = mesh_.nodesOf(element);
+    const auto nodes = coated.block().nodesOf(element);
     const auto begin = matrices.size();
     matrices.insert(matrices.end(), given.data(), given.data() + given.size());
     if (!std::any_of(nodes.begin(), nodes.end(), [this](int node) { return axes(node) != nullptr; })) return;
@@ -193,7 +194,7 @@ SparseMatrix Subdomain::assembled(
         k.middleCols(a * d, d) = (k.middleCols(a * d, d) * q->transpose()).eval();
       }
   });
-  return assembleNodal(mesh_, d, matrices);
+  return assembleNodal(coated.block(), d, matrices);
 }
 
 Matrix Subdomain::springModes(const Matrix& modes) const {

@@ -195,7 +195,22 @@ class Contact:
         units = {"Cohesion": self.run.stress_unit, "Bound": self.run.stress_unit}
         said = [f"{name.lower()} {vector(value)}" + (f" {units[name]}" if units.get(name) else "") if value is not True else name.lower()
                 for name, value in self.given.get(law, {}).items() if not isinstance(value, dict) and value not in (False, 0, "0", "")]
-        return law + (f": {', '.join(said)}" if said else "")
+        return law + (f": {', '.join(said)}" if said else "") + self.overclosure()
+
+    def overclosure(self):
+        """The law of a softened contact; "" for a hard one."""
+        law = str(self.given.get("Pressure Overclosure", "Hard"))
+        if law == "Hard":
+            return ""
+        of, stress, length = self.given.get(law, {}), self.run.stress_unit, self.run.length_unit
+        if law == "Linear":
+            said = f"{vector(of.get('Stiffness', 0))} {stress}/{length}"
+        elif law == "Exponential":
+            said = (f"{vector(of.get('Pressure At Zero Clearance', 0))} {stress} at zero clearance, "
+                    f"clearance {vector(of.get('Clearance At Zero Pressure', 0))} {length} at zero pressure")
+        else:
+            said = f"pressures {vector(of.get('Pressures', []))} {stress} at overclosures {vector(of.get('Overclosures', []))} {length}"
+        return f"; softened, {law.lower()}: {said}"
 
     def initial_gap(self):
         return self.given.get("Initial Gap") or "as drawn"

@@ -82,7 +82,8 @@ class Search {
 };
 
 void searchDisplacements(const SubdomainMesh& mesh, const Vector& u, Search& search) {
-  for (int node = 0; node < mesh.nodes(); ++node) {
+  const int nodes = mesh.bodyNodes();
+  for (int node = 0; node < nodes; ++node) {
     double squared = 0.0;
     for (int k = 0; k < mesh.dimension; ++k) {
       const double component = mesh.total(u, Eigen::Index(node) * mesh.dimension + k);
@@ -95,7 +96,8 @@ void searchDisplacements(const SubdomainMesh& mesh, const Vector& u, Search& sea
 /// \param stresses  as elementStresses(), per element or, if `atNodes`, per node
 void searchStresses(const SubdomainMesh& mesh, const Matrix& stresses, bool atNodes, Search& search) {
   Tensor s{};
-  for (int i = 0; i < int(stresses.rows()); ++i) {
+  const int count = atNodes ? mesh.bodyNodes() : int(stresses.rows());
+  for (int i = 0; i < count; ++i) {
     for (int k = 0; k < int(stresses.cols()); ++k) s[std::size_t(k)] = stresses(i, k);
     search.stress(s, mesh.body, atNodes ? mesh.globalNodes[i] : mesh.globalElements[i],
                   [&] { return atNodes ? mesh.point(i) : centreOf(mesh, i); });
@@ -124,7 +126,7 @@ Extreme Largest::found() const {
 Extreme largestVector(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {
   Search search;
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    for (int node = 0; node < meshes[i].nodes(); ++node) {
+    for (int node = 0, nodes = meshes[i].bodyNodes(); node < nodes; ++node) {
       const int d = meshes[i].dimension;
       search.displacement(displacement[i].segment(Eigen::Index(node) * d, d).norm(), meshes[i].body, meshes[i].globalNodes[node],
                           [&] { return meshes[i].point(node); });

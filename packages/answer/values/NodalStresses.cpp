@@ -14,7 +14,8 @@ std::vector<Matrix> nodalStresses(const Comm& comm, const std::vector<SubdomainM
   if (!model.materialOfRegion.empty()) SeamExchange(comm, meshes).sum(all);
   for (Matrix& sums : all) {
     const Eigen::Index components = sums.rows() - 1;
-    sums = (sums.topRows(components).array().rowwise() / sums.row(components).array()).matrix().transpose().eval();
+    // Outer nodes of coatings are in no element: zero.
+    sums = (sums.topRows(components).array().rowwise() / sums.row(components).array().max(1.0)).matrix().transpose().eval();
   }
   return all;
 }

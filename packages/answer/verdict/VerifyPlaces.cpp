@@ -234,6 +234,9 @@ std::vector<double> edgesAlongContact(const SubdomainMesh& mesh) {
     normals[end.node] = rows.at(end.pair)->pair.normal;
     isAtEnd[end.node] = 1;
   }
+  const std::map<int, int> under = nodesUnderCoatings(mesh);
+  for (const auto& [outer, inner] : under)
+    if (isAtEnd[outer]) normals[inner] = normals[outer], isAtEnd[inner] = 1;
   const auto isEnd = [&](int node) { return isAtEnd[node] != 0; };
   longest.resize(mesh.nodes(), 0.0);
   for (int element = 0; element < mesh.elements(); ++element) {
@@ -245,6 +248,7 @@ std::vector<double> edgesAlongContact(const SubdomainMesh& mesh) {
         if (isEnd(node)) longest[node] = std::max(longest[node], length(without(normals[node], along)));
     }
   }
+  for (const auto& [outer, inner] : under) longest[outer] = longest[inner];
   return longest;
 }
 

@@ -34,7 +34,7 @@ void takeAll(const Mesh& mesh, MeshShare& share) {
 
 // Size of a share.
 struct ShareSize {
-  std::size_t nodes = 0, elements = 0, corners = 0;
+  std::size_t nodes = 0, elements = 0, corners = 0, coatings = 0, coatingNodes = 0;
 };
 
 // Nodes and elements by owner, in one pass for all ranks.
@@ -54,12 +54,29 @@ struct ByRank {
       elements[rank].push_back(e);
       extents[rank].corners += mesh.nodesOf(e).size();
     }
+    for (const Coating& coating : mesh.coatings) {
+      ShareSize& extent = extents[rankOf[mesh.bodyOfElement[coating.element]]];
+      ++extent.coatings;
+      extent.coatingNodes += mesh.outerNodes(coating).size();
+    }
     for (int rank = 0; rank < ranks; ++rank) {
       extents[rank].nodes = nodes[rank].size();
       extents[rank].elements = elements[rank].size();
     }
   }
 };
+
+// Adds the coatings on elements of a share. \param local  local number of each node
+void takeCoatingsOf(const Mesh& mesh, const std::vector<int>& local, MeshShare& share) {
+  for (Coating coating : mesh.coatings) {
+    const Span<const int> outer = mesh.outerNodes(coating);
+    coating.element = share.localElement(coating.element);
+    if (coating.element < 0) continue;
+    coating.begin = static_cast<int>(share.own.coatingNodes.size());
+    share.own.coatings.push_back(coating);
+    for (const int node : outer) share.own.coatingNodes.push_back(local[node]);
+  }
+}
 
 // Fills the share of a rank; leaves the rank's lists in `all` empty.
 void takeBodiesOf(int rank, const Mesh& mesh, ByRank& all, MeshShare& share) {
@@ -84,6 +101,7 @@ void takeBodiesOf(int rank, const Mesh& mesh, ByRank& all, MeshShare& share) {
     for (const int node : mesh.nodesOf(e)) own.connectivity.push_back(all.local[node]);
     own.offsets.push_back(static_cast<int>(own.connectivity.size()));
   }
+  takeCoatingsOf(mesh, all.local, share);
 }
 
 // Properties common to all shares.
@@ -100,6 +118,8 @@ void makeRoom(const Kind& kind, const ShareSize& extent, MeshShare& share) {
   share.own.offsets.resize(extent.elements + 1);
   share.own.connectivity.resize(extent.corners);
   share.own.regions.resize(kind.hasRegions ? extent.elements : 0);
+  share.own.coatings.resize(extent.coatings);
+  share.own.coatingNodes.resize(extent.coatingNodes);
   share.globalNodes.resize(extent.nodes);
   share.globalElements.resize(extent.elements);
   share.bodyOfElement.resize(extent.elements);
@@ -109,6 +129,7 @@ void makeRoom(const Kind& kind, const ShareSize& extent, MeshShare& share) {
 template <typename Share, typename Each>
 void forEachVector(Share& share, const Each& each) {
   each(share.own.coordinates), each(share.own.cells), each(share.own.offsets), each(share.own.connectivity), each(share.own.regions);
+  each(share.own.coatings), each(share.own.coatingNodes);
   each(share.globalNodes), each(share.globalElements), each(share.bodyOfElement);
 }
 
