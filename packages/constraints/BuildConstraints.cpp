@@ -146,6 +146,7 @@ void soften(const ContactSurface& contact, PairedSurface& paired, std::vector<st
 void holdCoatings(const Mesh& mesh, Constraints& constraints) {
   std::map<int, const NodeRule*> ruleOf;
   for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
+  const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
   std::map<int, std::pair<int, bool>> held;  // outer node -> inner node, held along the coating only
   for (const Coating& coating : mesh.coatings) {
     const std::vector<int> inner = mesh.innerNodes(coating);
@@ -154,7 +155,7 @@ void holdCoatings(const Mesh& mesh, Constraints& constraints) {
     const std::vector<NodeNormal> normals = nodeNormals(points, mesh.dimension);
     for (std::size_t i = 0; i < inner.size(); ++i) {
       const auto rule = ruleOf.find(inner[i]);
-      if (rule == ruleOf.end()) continue;
+      if (rule == ruleOf.end() || rigid.contains(inner[i])) continue;
       bool isAlong = true;
       for (int k = 0; k < mesh.dimension; ++k) {
         const NodeRule& own = *rule->second;

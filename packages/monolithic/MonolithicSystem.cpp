@@ -220,8 +220,9 @@ void MonolithicSystem::assembleWithRigidGroups() {
   const int dimension = mesh_.dimension;
   std::vector<Eigen::Triplet<double>> entries;
   Matrix k;
+  const CoatedBlock coated(mesh_);
   const auto take = [&](int element, ConstLocalView stiffness) {
-    const Span<const int> nodes = mesh_.nodesOf(element);
+    const Span<const int> nodes = coated.block().nodesOf(element);
     const auto size = static_cast<int>(nodes.size()) * dimension;
     std::vector<std::vector<std::pair<int, double>>> unknowns(static_cast<std::size_t>(size));
     Vector given(size);

@@ -57,6 +57,11 @@ end_of("kinematic", bar_deck("*BOUNDARY\n999, 1, 1, 0.02\n999, 2, 6\n", "*NODE\n
                              "SURFACE=end, CONSTRAINT NAME=c\n*KINEMATIC\n1, 6\n"), 0.01, x=2.0)
 end_of("rigid", bar_deck("*BOUNDARY\n999, 1, 1, 0.02\n999, 2, 3\n998, 1, 3\n", "*NODE\n999, 5., 0.5, 0.5\n998, 5., 0.5, 0.5\n*RIGID BODY, NSET=right, REF NODE=999, "
                          "ROT NODE=998\n"), 0.01, x=2.0)
+# The same force on a rigid end, which may turn or not.
+for name, held, expected, component in (("rigid_moment", "", -0.5 * 16 / 2 / (1000 / 12), 1), ("guided", "*BOUNDARY\n999, 4, 6\n", 4e-3, 0)):
+    end_of(name, bar_deck(held + "*CLOAD\n999, 1, 1.\n", "*NODE\n999, 4., 1., 0.5\n*SURFACE, NAME=end\n4, S4\n*COUPLING, REF NODE=999, SURFACE=end, "
+                          "CONSTRAINT NAME=c\n*KINEMATIC\n1, 6\n"), expected, component=component)
+check("guided: as a rigid group", [c.get("name") for c in entry(scene("guided"), "Boundary Conditions") if entry(c, "Type") == "Rigid Group"], ["end"])
 # One body of two sections, connected by common nodes.
 two = bar_deck("*CLOAD\nright, 1, 0.25\n").replace("*SOLID SECTION, ELSET=E", "*ELSET, ELSET=soft\n3, 4\n*ELSET, ELSET=hard\n1, 2\n*MATERIAL, NAME=S\n*ELASTIC\n"
                                                    "500., 0.\n*SOLID SECTION, ELSET=soft, MATERIAL=S\n*SOLID SECTION, ELSET=hard")
@@ -104,14 +109,20 @@ for law, lines, expected, listed in (
         ("coulomb", "*FRICTION\n0.25, 1000.\n", "Coulomb", ""), ("bonded", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TIED\n1.E5\n", "Tied", ""),
         ("sliding", "*SURFACE BEHAVIOR, NO SEPARATION\n", "No Separation", ""),
         ("penalty", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1.E5\n", None, "changed:\n    line 51: *SURFACE BEHAVIOR of 'I': hard contact instead"),
-        ("soft", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1.E3\n", None, "not taken over:\n    line 51: *SURFACE BEHAVIOR of 'I': hard contact instead"),
-        ("exponential", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.1, 2.\n", None, "line 51: *SURFACE BEHAVIOR of 'I': hard contact instead of the pressure by overclosure, exponential"),
-        ("table", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n1., .1\n", None, "line 51: *SURFACE BEHAVIOR of 'I': hard contact instead"),
+        ("soft", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1.E3\n", None, ""),
+        ("exponential", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.1, 2.\n", None, "changed:\n    line 51: *SURFACE BEHAVIOR of 'I' as Pressure Overclosure = Exponential"),
+        ("table", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n1., .1\n", None, ""),
+        ("softening", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n2., .1\n3., .2\n", None, "line 51: *SURFACE BEHAVIOR of 'I': hard contact instead of a table"),
         ("rough", "*FRICTION, ROUGH\n", None, "line 51: *FRICTION: option ROUGH")):
     code, said = convert(law, pair.format(extra=contact.format(more="")).replace("NAME=I\n", "NAME=I\n" + lines))
     law_of = entry(scene(law), "Contact", "SB on SA", "Law") if code == 0 else said
     check(f"{law}: law", (code, law_of), (0, expected))
     check(f"{law}: listed", listed in said, True)
+overclosures = {law: entry(scene(law), "Contact", "SB on SA", "Pressure Overclosure") for law in ("penalty", "soft", "exponential", "table", "softening")}
+check("overclosures", overclosures, {"penalty": None, "soft": "Linear", "exponential": "Exponential", "table": "Table", "softening": None})
+check("soft: stiffness", entry(scene("soft"), "Contact", "SB on SA", "Linear", "Stiffness"), "1000.0")
+check("table: pressures", entry(scene("table"), "Contact", "SB on SA", "Table", "Pressures"), "{0.0, 1.0}")
+check("exponential: clearance", entry(scene("exponential"), "Contact", "SB on SA", "Exponential", "Clearance At Zero Pressure"), "0.1")
 check("coulomb: coefficient", entry(scene("coulomb"), "Contact", "SB on SA", "Coulomb", "Coefficient"), "0.25")
 # Steps: loads persist, OP=NEW ends them, amplitudes scale them.
 steps = ("*CLOAD\nright, 1, 0.25\n*END STEP\n*STEP\n*STATIC\n1., 2.\n*CLOAD\nright, 2, 0.5\n*END STEP\n*STEP\n*STATIC\n*CLOAD, OP=NEW, AMPLITUDE=A\nright, 1, 0.75\n")

@@ -150,7 +150,7 @@ check("quoted: bodies", [body.get("name") for body in entry(scene("quoted"), "Bo
 # A surface without face labels has the free sides; a load on a surface of nodes has no sides and is listed.
 code, said = convert("free", bar_deck("*DSLOAD\nskin, P, 1.\ntips, P, 1.\n", "*SURFACE, NAME=skin\nE\n*SURFACE, NAME=tips, TYPE=NODE\nright\n"))
 check("free: sides", (code, "skin (18)" in said, "*DSLOAD on 'tips': it has no sides" in said, said.count("not taken over")), (0, True, True, 1))
-# What later versions of the scene may express is read completely: laws of contact and rigid groups.
+# Laws of contact and rigid groups are read completely, also what no scene expresses.
 sys.path.insert(0, str(pathlib.Path(options.convert).resolve().parent))
 from suture_convert_formats.deck.to_scene import DeckScene
 
@@ -160,7 +160,7 @@ pair = bar_deck("*BOUNDARY\n99, 1, 1, 0.02\n*CLOAD\n99, 5, 7.\n", "*NODE\n99, 5.
 group = DeckScene(work / "group.inp").couplings.all[0]
 check("group: read", (group.kind, sorted(group.coupled), group.point, len(group.rows), len(group.nodes)), ("KINEMATIC", [0, 1, 3], [5.0, 0.5, 0.5], 1, 4))
 check("group: motions and loads", ({k: v.tolist() for k, v in group.motions.items()}, {k: v.tolist() for k, v in group.loads.items()}), ({0: [0.02]}, {4: [7.0]}))
-check("group: reason", group.reason, "*COUPLING: a load of the reference node 99; a scene takes only motions that are all given")
+check("group: reason", group.reason, "*COUPLING: free motions of the reference node 99, coupled in some directions only")
 one, two = Bar(2), Bar(2, begin=2, first=100)
 laws = (one.text("A") + two.text("B") + MATERIAL + "*SOLID SECTION, ELSET=A, MATERIAL=M\n*SOLID SECTION, ELSET=B, MATERIAL=M\n*SURFACE, NAME=SA\n2, S4\n"
         "*SURFACE, NAME=SB\n101, S6\n*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={law}\n*CONTACT PAIR, INTERACTION=I\nSB, SA\n")
@@ -179,6 +179,13 @@ def law_of(text):
     return DeckScene(work / "law.inp").contacts.all[0].overclosure
 
 
+# Bars of compliance 2 / 1000 in series with a layer of compliance 1 / 1000.
+soft = (laws.replace("{law}", "LINEAR\n1000.") + nset("left", one.at(0)) + nset("right", two.at(4))
+        + "*BOUNDARY\nleft, 1, 3\nright, 2, 3\nright, 1, 1, -0.01\n*STEP\n*STATIC\n*END STEP\n")
+fields, said = solved("soft_bars", soft)
+if fields is not None:
+    ends = np.unique(np.round(fields[1][np.abs(fields[0][:, 0] - 2.0) < 1e-9][:, 0], 9))
+    check("soft bars: displacements of both sides", ends.tolist(), [-0.006, -0.004])
 check("law: linear", (law_of("LINEAR\n500., 3., 1.E-3").stiffness, law_of("HARD").is_soft), (500.0, False))
 law = law_of("Exponential\n0.1, 2.")
 check("law: exponential", (law.kind, law.clearance, law.pressure), ("EXPONENTIAL", 0.1, 2.0))

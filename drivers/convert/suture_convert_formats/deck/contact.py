@@ -10,6 +10,7 @@ from .geometry import mean_edge, project
 from .overclosure import read_overclosure
 
 STIFF = 50.0  # stiffness x size / Young's modulus from which penetrations are below 2 % of the compression of the bodies
+SOFT = {"LINEAR": "Linear", "EXPONENTIAL": "Exponential", "TABULAR": "Table"}  # names in the scene
 NEAR = 0.05  # default tolerance of *TIE over the length of an edge
 
 
@@ -33,6 +34,7 @@ class Contact:
     coefficient: float = 0.0
     gap: float = None
     overclosure: object = None
+    softened: bool = False  # the scene has the overclosure
 
 
 def read_interactions(cards, findings):
@@ -154,22 +156,25 @@ class Contacts:
         contact.law, contact.coefficient = interaction.law, interaction.friction
         contact.overclosure = interaction.overclosure
         if interaction.overclosure is not None and interaction.overclosure.is_soft:
-            self._replace_soft(interaction.title, interaction.overclosure, contact)
+            self._soften(interaction.title, interaction.overclosure, contact)
 
-    def _replace_soft(self, title, law, contact):
-        """Hard contact instead of a pressure by overclosure"""
-        text = f"*SURFACE BEHAVIOR of '{title}': hard contact instead of "
-        if law.kind != "LINEAR" or law.stiffness is None:
-            law.reason = f"{text}the pressure by overclosure, {law.kind.lower()}"
-            self.findings.leave(law.place, law.reason)
-            return
-        ratio = law.stiffness * self._size(contact) / self._modulus(contact)
-        law.reason = f"{text}the linear stiffness {law.stiffness:g}"
-        if ratio >= STIFF:  # an approximation of hard contact
-            law.reason += f" ({ratio:.0f} times stiffness over size of the bodies)"
-            self.findings.change(law.place, law.reason)
-        else:
-            law.reason += f", which is only {ratio:.1f} times stiffness over size of the bodies: a soft layer"
+    def _soften(self, title, law, contact):
+        """Takes over a pressure by overclosure; a very stiff one is an approximation of hard contact, and a table may not be possible"""
+        hard = f"*SURFACE BEHAVIOR of '{title}': hard contact instead of "
+        law.reason = f"as Pressure Overclosure = {SOFT[law.kind]}"
+        contact.softened = True
+        if law.kind == "LINEAR" and law.stiffness is not None:
+            ratio = law.stiffness * self._size(contact) / self._modulus(contact)
+            if ratio >= STIFF:
+                contact.softened = False
+                law.reason = f"{hard}the linear stiffness {law.stiffness:g} ({ratio:.0f} times stiffness over size of the bodies)"
+                self.findings.change(law.place, law.reason)
+        elif law.kind == "EXPONENTIAL":
+            law.reason += ": the pressure is zero at the clearance c0, as in Abaqus; in CalculiX it is a hundredth of p0 there"
+            self.findings.change(law.place, f"*SURFACE BEHAVIOR of '{title}' {law.reason}")
+        elif law.kind == "TABULAR" and not law.is_convex:
+            contact.softened = False
+            law.reason = f"{hard}a table that does not begin at zero pressure, or whose slope decreases"
             self.findings.leave(law.place, law.reason)
 
     def _bodies(self, contact):

@@ -7,6 +7,7 @@ from .geometry import integrals
 from .rigid_group import ALL, RigidGroup
 from .steps import amount, vectors
 
+MOTIONS = ("Motion x", "Motion y", "Motion z", "Rotation x", "Rotation y", "Rotation z")
 SETS = {"NSET": "NSET", "TIENSET": "NSET", "PINNSET": "NSET", "ELSET": "ELSET"}  # options of *RIGID BODY with the members
 
 
@@ -127,6 +128,13 @@ class Couplings:
             self._leave(group, ": loads out of the plane, or in an axisymmetric model")
             return
         sides = self.solids.group(group.name, group.rows)
+        group.reason = f"{group.title}: the load of node {group.reference[1]} is a traction on '{sides}' with the same force and moment"
+        self.findings.change(group.place, group.reason)
+        self._write_loads(group, sides)
+
+    def _write_loads(self, group, sides):
+        """Force and moment at the reference node as tractions on the sides"""
+        mesh, loads = self.solids.mesh, group.loads
         centroid = integrals(mesh, group.rows)[2]
         arm = np.zeros(3)
         arm[:mesh.dimension] = np.array(group.point)[:mesh.dimension] - centroid
@@ -134,8 +142,6 @@ class Couplings:
         force = np.array([loads.get(k, zero) for k in range(3)])
         moment = np.array([loads.get(3 + k, zero) for k in range(3)]) + np.cross(arm, force, axis=0)
         scale = np.abs(force).max() * np.ptp(mesh.points, axis=0).max() + np.abs(moment).max()
-        group.reason = f"{group.title}: the load of node {group.reference[1]} is a traction on '{sides}' with the same force and moment"
-        self.findings.change(group.place, group.reason)
         self._write(f"force on {group.name}", "Force", dict(enumerate(force[:mesh.dimension])), sides)
         moment[np.abs(moment) < 1e-12 * scale] = 0.0
         if mesh.dimension == 3:
@@ -155,14 +161,36 @@ class Couplings:
         rotations = (3, 4, 5) if dimension == 3 else (5,)
         free = [k for k in range(dimension) if k in group.coupled and k not in motions] + [k for k in rotations if k not in motions]
         if group.is_loaded or free:
-            what = "a load" if group.is_loaded else f"a free {'rotation about' if free[0] > 2 else 'translation in'} {LETTERS[free[0] % 3]}"
-            self._leave(group, f": {what} of the reference node {group.reference[1]}; a scene takes only motions that are all given")
+            self._add_free(group)
             return
         own = [k for k in range(dimension) if k in group.coupled]
         if any(np.any(motions[k]) for k in rotations):
             self._add_rotated(group, own, {k: motions[k] for k in [*own, *rotations]})
         else:
             self._add_translated(group, own)
+
+    def _add_free(self, group):
+        """A rigid group with free motions or loads; its loads are tractions, which on a rigid group is the same"""
+        mesh, axisymmetric = self.solids.mesh, self.solids.model == "Axisymmetric"
+        if not group.coupled >= set(range(mesh.dimension)):
+            self._leave(group, f": free motions of the reference node {group.reference[1]}, coupled in some directions only")
+            return
+        if axisymmetric and (group.is_loaded or any(k != 1 and np.any(values) for k, values in group.motions.items())):
+            self._leave(group, ": loads, or motions that are not along the axis, in an axisymmetric model")
+            return
+        kept = (1,) if axisymmetric else (0, 1, 5) if mesh.dimension == 2 else range(6)
+        motions = {k: values for k, values in group.motions.items() if k in kept}
+        found = vectors(motions) if any(np.any(values) for values in motions.values()) else [({k: 0.0 for k in motions}, None)]
+        if len(found) > 1:
+            self._leave(group, f": the motions of the reference node {group.reference[1]} have different amplitudes")
+            return
+        members, factors = found[0]
+        sides = self.solids.group(group.name, group.rows)
+        group.reason = f"{group.title}: as Rigid Group '{sides}'"
+        given = {MOTIONS[k].replace(" ", "_"): float(members.get(k, 0.0)) for k in motions}
+        self.conditions.add(group.name, "Rigid Group", factors, Group=sides, Point=[float(x) for x in group.point[:mesh.dimension]], **given)
+        if group.is_loaded:
+            self._write_loads(group, sides)
 
     def _where(self, own):
         return {} if len(own) == self.solids.mesh.dimension else {"Components": "".join(LETTERS[k] for k in own)}

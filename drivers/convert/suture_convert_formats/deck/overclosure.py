@@ -25,6 +25,12 @@ class Overclosure:
     reason: str = ""
 
     @property
+    def is_convex(self):
+        """True if the table begins at zero pressure and its slope never decreases"""
+        slopes = [(b[0] - a[0]) / (b[1] - a[1]) for a, b in zip(self.table, self.table[1:])]
+        return bool(slopes) and self.table[0][0] == 0.0 and all(a <= b * (1 + 1e-12) for a, b in zip(slopes, slopes[1:]))
+
+    @property
     def is_soft(self):
         return self.kind in ("LINEAR", "EXPONENTIAL", "TABULAR")
 

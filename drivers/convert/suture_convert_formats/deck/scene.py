@@ -1,6 +1,8 @@
 """The scene file: XML with the lists of Suture, and what was not taken over as a comment."""
 from xml.sax.saxutils import quoteattr
 
+from .contact import SOFT
+
 
 def text_of(value):
     return repr(float(value)) if isinstance(value, (int, float)) else str(value)
@@ -148,9 +150,26 @@ def write_contacts(out, contacts):
             out.begin("Coulomb")
             out.put("Coefficient", text_of(contact.coefficient))
             out.end()
+        if contact.softened:
+            write_overclosure(out, contact.overclosure)
         if contact.gap is not None:
             out.put("Initial Gap", text_of(contact.gap))
         out.end()
+    out.end()
+
+
+def write_overclosure(out, law):
+    name = SOFT[law.kind]
+    out.put("Pressure Overclosure", name)
+    out.begin(name)
+    if name == "Linear":
+        out.put("Stiffness", law.stiffness)
+    elif name == "Exponential":
+        out.put("Pressure At Zero Clearance", law.pressure)
+        out.put("Clearance At Zero Pressure", law.clearance)
+    else:
+        out.put("Pressures", [row[0] for row in law.table])
+        out.put("Overclosures", [row[1] for row in law.table])
     out.end()
 
 
