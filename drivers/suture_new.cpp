@@ -96,6 +96,7 @@ NewScene propose(Mesh& mesh, const SideDescriptions& descriptions, const Options
   problems.throwIfAny();
   assignBodies(mesh, scene.bodies.names);
   if (scene.model == "Axisymmetric") makeAxisymmetric(mesh);
+  scene.meshNotes = mesh.notes;
   scene.title = fs::path(options.geometry).stem().string();
   scene.file = relativeTo(output, options.geometry);
   scene.constants = options.constants;
@@ -140,6 +141,7 @@ void tell(std::ostream& out, const NewScene& scene, const fs::path& output, bool
   if (scene.bodies.names.size() > 1) out << "   " << searchText(scene.contacts) << "\n";
   for (const proposal::Contact& contact : scene.contacts.all)
     for (const std::string& problem : contact.problems) out << "   note: left out of the scene: " << problem << "\n";
+  for (const std::string& note : scene.meshNotes) out << "   note: " << note << "\n";
   for (const std::string& note : scene.contacts.notes) out << "   note: " << note << "\n";
   const Supports& supports = scene.supports;
   std::vector<std::string> parts;

@@ -16,6 +16,7 @@ struct NewScene {
   std::vector<std::pair<Point, Point>> boxes;
   std::vector<Group> groups;
   Contacts contacts;
+  std::vector<std::string> meshNotes;
   Supports supports;
   std::map<std::string, std::string> descriptions;  ///< shapes of the side groups of a CAD file
   ExampleUnits units{"m, N, Pa"};

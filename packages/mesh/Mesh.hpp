@@ -11,6 +11,7 @@ namespace suture {
 /// until it is partitioned and distributed.
 struct Mesh : CellBlock {
   std::string source;                                     ///< file, for messages
+  std::vector<std::string> notes;                         ///< sentences for the user about changes of the mesh
   std::map<std::string, std::vector<int>> elementGroups;  ///< bodies, named subdomains; see elementGroupKind()
   SideGroups sideGroups;                                  ///< boundary conditions, contact sides; see sideGroupKind()
   std::vector<std::string> bodies;                        ///< names, in the order of the scene; see assignBodies()

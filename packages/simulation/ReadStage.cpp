@@ -24,6 +24,7 @@ Constraints readConstraints(const Comm& comm, const Mesh& mesh, const Scene& sce
   return onRoot(comm, "building the constraints", [&] {
     Constraints constraints = scene.constraints(mesh);
     applyLaws(scene.laws, mesh, constraints);
+    constraints.notes.insert(constraints.notes.begin(), mesh.notes.begin(), mesh.notes.end());
     return constraints;
   });
 }

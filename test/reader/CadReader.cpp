@@ -16,6 +16,7 @@
 #include <functional>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include <reader/MeshTesting.hpp>
 
@@ -338,6 +339,49 @@ TEUCHOS_UNIT_TEST(CadReader, TakesSizesFromThicknessCurvatureAndNeighbours) {
   });
   const Mesh pair = meshOf(input(near));
   TEST_COMPARE(pair.sideGroups.at("body_1_top").size(), >, 2 * pair.sideGroups.at("body_1_bottom").size());
+}
+
+// Strong curvature in large or thin elements would turn second-order elements inside out; meshOf() refuses tangled ones.
+TEUCHOS_UNIT_TEST(CadReader, StraightensElementsThatCurvatureWouldTurnInsideOut) {
+  const Folder folder;
+  const std::string shell = drawn(folder, "shell.step", [] {
+    gmsh::vectorpair out;
+    std::vector<gmsh::vectorpair> map;
+    occ::cut({{3, occ::addSphere(0, 0, 0, 10)}}, {{3, occ::addSphere(0, 0, 0, 9)}}, out, map);
+  });
+  const std::string tip = drawn(folder, "tip.step", [] { occ::addCone(0, 0, 0, 0, 0, 20, 5, 0); });
+  for (const auto& [path, exact, tolerance] :
+       {std::make_tuple(shell, 4 * pi / 3 * (1000 - 729), 5e-3), std::make_tuple(tip, pi * 25 * 20 / 3, 5e-3)}) {
+    const Mesh mesh = meshOf(input(path));
+    TEST_FLOATING_EQUALITY(volume(mesh, "body_1"), exact, tolerance);
+    for (const std::string& note : mesh.notes) out << note << "\n";
+    TEST_ASSERT(!mesh.notes.empty() && mesh.notes[0].find("would turn the elements inside out") != std::string::npos);
+  }
+  const Mesh plate = meshOf(input(drawn(folder, "plate.step", plateWithHole)));
+  TEST_ASSERT(plate.notes.empty());
+}
+
+// A plate with small holes: sizes grow on its flat faces, too; all holes have at least eight elements on the circle.
+TEUCHOS_UNIT_TEST(CadReader, RefinesNearSmallHolesOnly) {
+  const Folder folder;
+  const std::string path = drawn(folder, "holes.step", [] {
+    gmsh::vectorpair holes, out;
+    std::vector<gmsh::vectorpair> map;
+    for (int i = 0; i < 5; ++i)
+      for (int k = 0; k < 5; ++k) holes.emplace_back(3, occ::addCylinder(10 + 20 * i, 10 + 20 * k, -1, 0, 0, 10, 1));
+    occ::cut({{3, occ::addBox(0, 0, 0, 100, 100, 8)}}, holes, out, map);
+  });
+  const Mesh mesh = meshOf(input(path));
+  TEST_FLOATING_EQUALITY(volume(mesh, "body_1"), 8e4 - 25 * pi * 8, 1e-4);
+  out << mesh.elements() << " elements\n";
+  TEST_COMPARE(mesh.elements(), <, 60000);
+  for (int hole = 1; hole <= 25; ++hole) {
+    std::set<int> rim;
+    for (const Side& side : mesh.sideGroups.at("body_1_cylinder_" + std::to_string(hole)))
+      for (const int node : mesh.nodesOf(side))
+        if (mesh.point(node)[2] < 1e-9) rim.insert(node);
+    TEST_COMPARE(rim.size(), >=, std::size_t(2 * 8));  // with mid-side nodes
+  }
 }
 
 TEUCHOS_UNIT_TEST(CadReader, RefusesDamagedFilesWithTheReason) {

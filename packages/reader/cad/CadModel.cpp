@@ -19,9 +19,12 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kSewing = 1e-5;            // gap between faces that sewing closes, over the extent
 constexpr double kStraight = 1e-6;          // largest sagitta of a straight curve over its length
 constexpr double kCoarse = 0.1;             // size of the coarse surface mesh over the extent of a body
+constexpr double kSmallest = 1e-3;          // its smallest size over that
 constexpr double kCoarseTurn = 16;          // its elements on a full circle
 constexpr double kCrease = 30 * kPi / 180;  // angle between triangles of an .stl file that separates two faces
 constexpr double kSame = 1e-5;              // largest distance of two faces of the same cylinder over the extent of the body
+constexpr double kTip = 0.1;                // smallest radius of a face that is resolved over its median: a cone ends in a point
+constexpr double kNoLimit = 1e22;           // Gmsh's size where nothing limits it
 const ShapeTolerance kFacets{0.35, 2e-3};   // for triangulated round faces
 const ShapeTolerance kFlat{1e-3, 1e-5};     // for triangulated planes
 
@@ -35,11 +38,11 @@ std::vector<int> below(int dimension, int tag) {
   return down;
 }
 
-/// The volume itself, its faces, curves and points.
-std::set<std::pair<int, int>> closure(int volume) {
-  std::set<std::pair<int, int>> all{{3, volume}};
-  std::vector<int> tags{volume};
-  for (int dimension = 3; dimension > 0; --dimension) {
+/// An entity itself, and the faces, curves and points of its boundary.
+std::set<std::pair<int, int>> closure(int highest, int entity) {
+  std::set<std::pair<int, int>> all{{highest, entity}};
+  std::vector<int> tags{entity};
+  for (int dimension = highest; dimension > 0; --dimension) {
     std::set<int> next;
     for (const int tag : tags)
       for (const int one : below(dimension, tag)) next.insert(one);
@@ -102,6 +105,49 @@ std::string description(const SurfaceShape& shape, double scale, const std::stri
       break;
   }
   return otherwise;
+}
+
+/// Smallest radius of curvature of a face that is equally round everywhere; 0 for other shapes.
+double leastRadius(const SurfaceShape& shape) {
+  switch (shape.kind) {
+    case Kind::Cylinder:
+    case Kind::Sphere:
+      return shape.radius;
+    case Kind::Torus:
+      return shape.tube;
+    default:
+      return 0.0;
+  }
+}
+
+/// Places on a face in its parameters, without the ends: a cone or a sphere has no normal at its tip.
+std::vector<double> samplesOf(int face) {
+  constexpr int kSamples = 6;  // in each direction
+  std::vector<double> low, high, places;
+  gmsh::model::getParametrizationBounds(2, face, low, high);
+  for (int i = 0; i < kSamples; ++i)
+    for (int k = 0; k < kSamples; ++k) {
+      places.push_back(low[0] + (high[0] - low[0]) * (i + 0.5) / kSamples);
+      places.push_back(low[1] + (high[1] - low[1]) * (k + 0.5) / kSamples);
+    }
+  return places;
+}
+
+/// Smallest radii of curvature at places of a face; kNoLimit where it is flat.
+std::vector<double> radiiAt(int face, const std::vector<double>& places) {
+  std::vector<double> most, least, first, second, radii;
+  gmsh::model::getPrincipalCurvatures(face, places, most, least, first, second);
+  for (std::size_t i = 0; i < most.size(); ++i) radii.push_back(1 / std::max({std::abs(most[i]), std::abs(least[i]), 1 / kNoLimit}));
+  return radii;
+}
+
+double medianRadius(int face) {
+  std::string type;
+  gmsh::model::getType(2, face, type);
+  if (type == "Plane") return kNoLimit;
+  std::vector<double> radii = radiiAt(face, samplesOf(face));
+  std::sort(radii.begin(), radii.end());
+  return radii.empty() ? kNoLimit : radii[radii.size() / 2];
 }
 
 /// Sets of items that belong together.
@@ -219,7 +265,7 @@ void CadModel::separateSolids() {
   for (const int volume : tagsOf(3)) {
     std::string label;
     gmsh::model::getEntityName(3, volume, label);
-    const std::set<std::pair<int, int>> own = closure(volume);
+    const std::set<std::pair<int, int>> own = closure(3, volume);
     const bool shares = std::any_of(own.begin(), own.end(), [&](const auto& entity) { return taken.count(entity) > 0; });
     taken.insert(own.begin(), own.end());
     labels_[volume] = label;
@@ -251,19 +297,28 @@ void CadModel::importTriangles() {
 void CadModel::findEntities() {
   volumes_ = tagsOf(3);
   for (std::size_t b = 0; b < volumes_.size(); ++b)
-    for (const auto& entity : closure(volumes_[b])) bodyOf_[entity] = b;
+    for (const auto& entity : closure(3, volumes_[b])) bodyOf_[entity] = b;
 }
 
+// Gmsh's own sizes from curvature end in an endless loop at the tip of a sharp cone, and its loop for faces smaller than the smallest size,
+// too: each face has one size here.
 void CadModel::meshSkins() {
   if (format_ != CadFormat::Stl) {
-    std::vector<double> sizes;
-    for (const int volume : volumes_) sizes.push_back(kCoarse * extentOf(3, volume));
-    gmsh::option::setNumber("Mesh.MeshSizeMin", 0.05 * *std::min_element(sizes.begin(), sizes.end()));
-    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", kCoarseTurn);
+    std::map<std::pair<int, int>, double> sizes;
+    double least = kNoLimit;
+    for (const auto& [entity, body] : bodyOf_) sizes[entity] = kCoarse * extentOf(3, volumes_[body]);
+    for (const auto& [entity, body] : bodyOf_) {
+      least = std::min(least, kSmallest * sizes.at(entity));
+      if (entity.first != 2) continue;
+      const double onFace = std::max(2 * kPi * medianRadius(entity.second) / kCoarseTurn, kSmallest * sizes.at(entity));
+      for (const auto& part : closure(2, entity.second)) sizes.at(part) = std::min(sizes.at(part), onFace);
+    }
+    gmsh::option::setNumber("Mesh.MeshSizeMin", least);
+    gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
     gmsh::option::setNumber("Mesh.ElementOrder", 1);
-    gmsh::model::mesh::setSizeCallback([this, sizes](int dimension, int tag, double, double, double) {
-      const auto at = bodyOf_.find({dimension, tag});
-      return at == bodyOf_.end() ? 1e22 : sizes[at->second];
+    gmsh::model::mesh::setSizeCallback([sizes](int dimension, int tag, double, double, double) {
+      const auto at = sizes.find({dimension, tag});
+      return at == sizes.end() ? kNoLimit : at->second;
     });
     gmsh::model::mesh::generate(2);
     gmsh::model::mesh::removeSizeCallback();
@@ -277,14 +332,8 @@ void CadModel::meshSkins() {
 }
 
 SurfaceShape CadModel::shapeOf(int tag, const Point& outward, const Point& at) const {
-  constexpr int kSamples = 6;  // in each direction, without the ends: a cone or a sphere has no normal at its tip
-  std::vector<double> low, high, places, values, normals, here;
-  gmsh::model::getParametrizationBounds(2, tag, low, high);
-  for (int i = 0; i < kSamples; ++i)
-    for (int k = 0; k < kSamples; ++k) {
-      places.push_back(low[0] + (high[0] - low[0]) * (i + 0.5) / kSamples);
-      places.push_back(low[1] + (high[1] - low[1]) * (k + 0.5) / kSamples);
-    }
+  const std::vector<double> places = samplesOf(tag);
+  std::vector<double> values, normals, here;
   gmsh::model::getValue(2, tag, places, values);
   gmsh::model::getNormal(tag, places, normals);
   std::vector<double> nearby;
@@ -435,9 +484,10 @@ std::map<std::string, std::string> CadModel::name(double scale) {
     for (const std::size_t i : members) tags.back().push_back(faces_[i].tag);
     const CadFace& first = faces_[members[0]].cad;
     groups.push_back(format_ == CadFormat::Stl ? describeFacets(tags.back(), first.body) : joined(members));
-    if (groups.back().shape.kind == Kind::Cylinder || groups.back().shape.kind == Kind::Sphere)
-      for (const int tag : tags.back()) radii_[tag] = groups.back().shape.radius;
+    if (const double radius = leastRadius(groups.back().shape); radius > 0)
+      for (const int tag : tags.back()) radii_.ofFace[tag] = radius;
   }
+  if (format_ != CadFormat::Stl) findRadii();
   const std::vector<std::string> names = cadFaceNames(groups, bodies, bodyNames);
   std::map<std::string, std::string> descriptions;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -447,20 +497,56 @@ std::map<std::string, std::string> CadModel::name(double scale) {
   return descriptions;
 }
 
+// Radii of faces whose curvature changes, at the nodes of the coarse mesh.
+void CadModel::findRadii() {
+  for (const Face& face : faces_) {
+    if (face.cad.shape.kind == Kind::Plane || radii_.ofFace.count(face.tag) > 0) continue;
+    std::vector<std::size_t> tags;
+    std::vector<double> coordinates, parameters;
+    gmsh::model::mesh::getNodes(tags, coordinates, parameters, 2, face.tag, true, true);
+    const std::vector<double> radii = radiiAt(face.tag, parameters);
+    const double smallest = kTip * medianRadius(face.tag);
+    for (std::size_t i = 0; i < radii.size(); ++i)
+      radii_.at.push_back({static_cast<std::size_t>(face.cad.body), pointAt(coordinates, i), std::max(radii[i], smallest)});
+  }
+}
+
+/// Size on a face that is equally round everywhere, or on a curve or a point of one; no limit elsewhere.
+double CadModel::sizeOnRound(const CadSizes& sizes, int dimension, int tag) const {
+  if (dimension == 3) return kNoLimit;
+  std::vector<int> faces{tag};
+  for (int d = dimension; d < 2; ++d) {
+    std::set<int> next;
+    for (const int one : faces) {
+      std::vector<int> up, down;
+      gmsh::model::getAdjacencies(d, one, up, down);
+      next.insert(up.begin(), up.end());
+    }
+    faces.assign(next.begin(), next.end());
+  }
+  double size = kNoLimit;
+  for (const int face : faces)
+    if (const auto round = radii_.ofFace.find(face); round != radii_.ofFace.end())
+      size = std::min(size, sizes.ofRadius(bodyOf_.at({dimension, tag}), round->second));
+  return size;
+}
+
 void CadModel::setMeshing(int order, std::optional<double> most) {
   if (format_ != CadFormat::Stl) gmsh::model::mesh::clear();
-  // Gmsh finds no reliable curvature on triangles: there the radii of round faces take its place.
   const bool triangles = format_ == CadFormat::Stl;
-  const CadSizes sizes(skins_, order, triangles ? radii_ : std::map<int, double>());
+  const CadSizes sizes(skins_, order, radii_);
+  std::map<std::pair<int, int>, double> onRound;
+  for (const auto& entry : bodyOf_) onRound[entry.first] = sizeOnRound(sizes, entry.first.first, entry.first.second);
   gmsh::option::setNumber("Mesh.MeshSizeMin", most ? std::min(sizes.least(), *most) : sizes.least());
   if (most) gmsh::option::setNumber("Mesh.MeshSizeMax", *most);
-  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", triangles ? 0 : CadSizes::elementsPerTurn(order));
+  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", 0);
+  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
   gmsh::option::setNumber("Mesh.ElementOrder", order);
   // The triangles of an .stl file are flat: curved elements between them may be turned inside out.
   if (triangles) gmsh::option::setNumber("Mesh.SecondOrderLinear", 1);
-  gmsh::model::mesh::setSizeCallback([this, sizes](int dimension, int tag, double x, double y, double z) {
+  gmsh::model::mesh::setSizeCallback([this, sizes, onRound](int dimension, int tag, double x, double y, double z) {
     const auto at = bodyOf_.find({dimension, tag});
-    return at == bodyOf_.end() ? 1e22 : sizes.at(at->second, {x, y, z});
+    return at == bodyOf_.end() ? kNoLimit : std::min(sizes.at(at->second, {x, y, z}), onRound.at(at->first));
   });
 }
 

@@ -54,6 +54,8 @@ class CadModel {
   std::vector<std::vector<std::size_t>> groupedFaces() const;
   std::vector<std::vector<std::size_t>> smoothPatches() const;
   bool isSeam(int curve, SurfaceShape::Kind kind) const;
+  void findRadii();
+  double sizeOnRound(const CadSizes& sizes, int dimension, int tag) const;
 
   std::string path_;
   CadFormat format_;
@@ -62,7 +64,7 @@ class CadModel {
   std::map<std::pair<int, int>, std::size_t> bodyOf_;  // by dimension and tag
   std::vector<Skin> skins_;                            // by body
   std::vector<Face> faces_;
-  std::map<int, double> radii_;  // radii of cylinders and spheres, by tag of the face
+  CadSizes::Radii radii_;
 };
 
 }  // namespace suture

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kOfExtent = 0.1;            // largest size over the extent of a body
 constexpr double kGrowth = 0.5;              // growth of the size with the distance
-constexpr double kSlack = 0.2;               // a sample counts only if it lowers the size by this fraction
-constexpr double kLeast = 0.02;              // smallest size over the largest size of the smallest body
+constexpr double kDetail = 0.05;             // size of elements on small details over the largest size of the body
+constexpr double kLeast = 0.02;              // smallest size over the largest size of the smallest body, except on round faces
+constexpr double kTiny = 1e-3;               // smallest size on round faces over the largest size of their body
 constexpr double kFacing = 0.5;              // size where bodies face each other over the size otherwise
 constexpr double kReach = 0.05;              // largest clearance of facing bodies over the extent of the smaller one: as in suture_new
 constexpr double kOpposite = -0.5;           // largest cosine between normals that face each other
@@ -45,14 +46,15 @@ bool isFaced(const Skin::Triangle& own, const Skin& other, double reach) {
 
 }  // namespace
 
-CadSizes::CadSizes(const std::vector<Skin>& bodies, int order, const std::map<int, double>& radii) {
+CadSizes::CadSizes(const std::vector<Skin>& bodies, int order, const Radii& radii) : order_(order) {
   std::size_t total = 0;
   for (const Skin& skin : bodies) total += skin.triangles().size();
   for (const Skin& skin : bodies) {
-    bodies_.push_back({kOfExtent * skin.extent(), {}});
+    bodies_.push_back({kOfExtent * skin.extent(), {}, {}});
     least_ = least_ == 0.0 ? bodies_.back().most : std::min(least_, bodies_.back().most);
   }
   least_ *= kLeast;
+  smallest_ = least_;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Skin& skin = bodies[b];
     const std::size_t stride = strideFor(skin.triangles().size(), total);
@@ -61,8 +63,6 @@ CadSizes::CadSizes(const std::vector<Skin>& bodies, int order, const std::map<in
       const Skin::Triangle& triangle = skin.triangles()[t];
       double size = body.most;
       if (const auto thickness = skin.thicknessAt(t)) size = std::min(size, ofThickness(order) * *thickness);
-      if (const auto round = radii.find(triangle.face); round != radii.end())
-        size = std::min(size, kTurn * round->second / elementsPerTurn(order));
       for (std::size_t other = 0; other < bodies.size(); ++other) {
         const double reach = kReach * std::min(skin.extent(), bodies[other].extent());
         if (other == b || !boxesNear(skin, bodies[other], reach) || !isFaced(triangle, bodies[other], reach)) continue;
@@ -70,29 +70,32 @@ CadSizes::CadSizes(const std::vector<Skin>& bodies, int order, const std::map<in
         break;
       }
       size = std::max(size, least_);
-      if (size < (1 - kSlack) * body.most) body.samples.push_back({triangle.centre, size});
+      if (const auto round = radii.ofFace.find(triangle.face); round != radii.ofFace.end())
+        size = std::min(size, ofRadius(b, round->second));
+      smallest_ = std::min(smallest_, size);
+      if (size < body.most) body.samples.push_back({triangle.centre, size});
     }
-    prune(body);
+    for (const Radii::At& round : radii.at)
+      if (round.body == b && ofRadius(b, round.radius) < body.most)
+        body.samples.push_back({round.place, std::max(ofRadius(b, round.radius), least_)});
+    std::vector<BoundingBox> places(body.samples.size());
+    for (std::size_t i = 0; i < places.size(); ++i) places[i].include(body.samples[i].place);
+    body.tree = std::make_shared<const BoxTree>(places);
   }
 }
 
-// Removes samples whose size the others imply within kSlack.
-void CadSizes::prune(Body& body) const {
-  std::stable_sort(body.samples.begin(), body.samples.end(), [](const Sample& a, const Sample& b) { return a.size < b.size; });
-  std::vector<Sample> all;
-  all.swap(body.samples);
-  for (const Sample& sample : all) {
-    const bool implied = std::any_of(body.samples.begin(), body.samples.end(), [&](const Sample& kept) {
-      return kept.size + kGrowth * norm(minus(kept.place, sample.place)) <= (1 + kSlack) * sample.size;
-    });
-    if (!implied) body.samples.push_back(sample);
-  }
+double CadSizes::ofRadius(std::size_t body, double radius) const {
+  const double turn = kTurn * radius;
+  const double most = bodies_[body].most;
+  return std::max(kTiny * most, std::min(turn / leastPerTurn(order_), std::max(turn / elementsPerTurn(order_), kDetail * most)));
 }
 
+// The sample with the smallest size + growth * distance is the nearest one if each is moved away by size / growth.
 double CadSizes::at(std::size_t body, const Point& place) const {
-  double size = bodies_[body].most;
-  for (const Sample& sample : bodies_[body].samples) size = std::min(size, sample.size + kGrowth * norm(minus(sample.place, place)));
-  return std::max(size, least_);
+  const Body& own = bodies_[body];
+  const auto away = [&](int i) { return norm(minus(own.samples[i].place, place)) + own.samples[i].size / kGrowth; };
+  const int nearest = own.tree->nearest(place, away);
+  return nearest < 0 ? own.most : std::min(own.most, kGrowth * away(nearest));
 }
 
 }  // namespace suture

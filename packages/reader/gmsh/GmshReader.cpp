@@ -12,8 +12,10 @@
 #include <suture/reader/gmsh/MeshKey.hpp>
 #include <suture/reader/gmsh/MesherProcess.hpp>
 #include <suture/reader/gmsh/MshReader.hpp>
+#include <suture/reader/gmsh/StraightSides.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 
@@ -52,6 +54,22 @@ void checkLargest(const Mesh& mesh, const GmshInput& input) {
                                     "remove Size");
 }
 
+std::string lengthText(double length) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2g", length);
+  return text;
+}
+
+/// Straightens tangled elements, and adds a note to the mesh.
+void straighten(Mesh& mesh) {
+  const Straightened found = straightenTangled(mesh);
+  if (found.elements == 0) return;
+  mesh.notes.push_back("curved sides of " + std::to_string(found.elements) + " of " + std::to_string(mesh.elements()) +
+                       " elements would turn the elements inside out and are straighter than drawn: mid-side nodes lie up to " +
+                       lengthText(found.distance) + " from the surface, at " + placeText(found.place, mesh.dimension) +
+                       "; a smaller Mesh/Size keeps the shape");
+}
+
 /// The mesh of `order` from the cache, or from Gmsh. \param files  all files that Gmsh reads
 GmshMesh cachedMesh(const GmshInput& input, const MesherOrder& order, const std::vector<std::string>& files) {
   const MeshCache cache(input.cache);
@@ -68,6 +86,7 @@ Mesh finish(const GmshInput& input, const MesherOrder& order, const std::vector<
   GmshMesh made = cachedMesh(input, order, files);
   if (descriptions) *descriptions = made.descriptions;
   Mesh mesh = assembleGmsh(std::move(made), input.path);
+  straighten(mesh);
   checkLargest(mesh, input);
   numberAlongHilbertCurve(mesh);
   return mesh;
