@@ -5,6 +5,7 @@
 #include <suture/reader/gmsh/MeshKey.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -34,6 +35,9 @@ std::optional<std::string> meshKey(const MesherOrder& order, const std::map<std:
                                    const std::vector<std::string>& files) {
   if (order.allowPrograms || files.empty()) return std::nullopt;
   Packer key;
+  key.put(stampOf(mesherProgram()).value_or(FileStamp{}));
+  const char* const libraries = std::getenv("LD_LIBRARY_PATH");  // other libraries may be loaded
+  key.put(std::string(libraries ? libraries : ""));
   key.put(order.meshSizeFactor);
   key.put(order.order);
   key.put(order.largest);

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// Everything that determines the mesh that Gmsh makes of a .geo or CAD file, except the program itself: the content of all files, the
+/// Everything that determines the mesh that Gmsh makes of a .geo or CAD file, suture_mesher included: the content of all files, the
 /// constants, and the options of `order` that change the mesh. Nothing if the mesh may depend on something else: a file that may run
 /// programs, a statement that reads the clock, the folder or a random number, a STEP file that refers to other files. Local. \param files
 /// the file and all those that it reads, see checkGeoStatements()

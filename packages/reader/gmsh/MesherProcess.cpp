@@ -32,18 +32,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-std::string mesherProgram() {
-  Dl_info info{};
-  if (dladdr(reinterpret_cast<void*>(&runMesher), &info) == 0 || !info.dli_fname)
-    throw EnvironmentError("cannot find the folder of the library libsuture, which contains suture_mesher");
-  std::error_code failed;
-  const fs::path library = fs::canonical(info.dli_fname, failed);
-  const fs::path program = (failed ? fs::path(info.dli_fname) : library).parent_path() / "suture" / "suture_mesher";
-  if (access(program.c_str(), X_OK) != 0)
-    throw EnvironmentError("cannot run " + program.string() + ", which meshes .geo and CAD files: " + std::strerror(errno));
-  return program.string();
-}
-
 /// File descriptor, closed by the destructor.
 class Descriptor {
  public:
@@ -204,6 +192,18 @@ void check(const GmshMesh& mesh, const std::string& file) {
 }
 
 }  // namespace
+
+std::string mesherProgram() {
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<void*>(&runMesher), &info) == 0 || !info.dli_fname)
+    throw EnvironmentError("cannot find the folder of the library libsuture, which contains suture_mesher");
+  std::error_code failed;
+  const fs::path library = fs::canonical(info.dli_fname, failed);
+  const fs::path program = (failed ? fs::path(info.dli_fname) : library).parent_path() / "suture" / "suture_mesher";
+  if (access(program.c_str(), X_OK) != 0)
+    throw EnvironmentError("cannot run " + program.string() + ", which meshes .geo and CAD files: " + std::strerror(errno));
+  return program.string();
+}
 
 GmshMesh runMesher(const MesherOrder& order, std::vector<FileStamp>* programs) {
   const double megabytes = std::min(availableMegabytes(), 1e9);

@@ -19,6 +19,9 @@ struct MesherOrder {
   double scale = 1.0;           ///< length unit of the file (STEP and IGES: mm) over that of the mesh, for CAD
 };
 
+/// Path of suture_mesher; "" if Suture was built without Gmsh. Local. \throws EnvironmentError  the program is missing
+std::string mesherProgram();
+
 /// Runs Gmsh in a separate process, suture_mesher (folder `suture` next to the library), with limits of time and memory, and reads the mesh
 /// from a pipe. A process that ends without a mesh and without a message is an error. Local.
 /// \param programs  if not null: the program and the libraries that it has loaded

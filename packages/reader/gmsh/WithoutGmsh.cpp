@@ -4,6 +4,8 @@
 
 namespace suture {
 
+std::string mesherProgram() { return ""; }
+
 GmshMesh runMesher(const MesherOrder& order, std::vector<FileStamp>*) {
   throw EnvironmentError(
       "cannot mesh " + order.file +
