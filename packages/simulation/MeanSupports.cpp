@@ -37,7 +37,8 @@ bool isFree(const NodeRule& rule) {
 /// Nodes that can be held along an axis: outside of contacts, with neither a prescribed component along the axis nor an oblique one.
 class Candidates {
  public:
-  Candidates(const Mesh& mesh, const Constraints& constraints) : constraints_(constraints), ruleOf_(std::size_t(mesh.nodes()), -1) {
+  Candidates(const Mesh& mesh, const Constraints& constraints)
+      : constraints_(constraints), rigid_(constraints.rigidGroups, mesh.dimension), ruleOf_(std::size_t(mesh.nodes()), -1) {
     for (std::size_t r = 0; r < constraints.rules.size(); ++r) ruleOf_[std::size_t(constraints.rules[r].node)] = int(r);
     for (const ContactPair& pair : constraints.pairs)
       for (const PairEnd& end : pair.ends) taken_.insert({end.node, -1});
@@ -45,6 +46,7 @@ class Candidates {
   bool allows(int node, int component) const {
     if (taken_.count({node, -1}) + taken_.count({node, component}) > 0) return false;
     if (ruleOf_[std::size_t(node)] < 0) return true;
+    if (rigid_.contains(node)) return false;  // other nodes follow it
     const NodeRule& rule = constraints_.rules[std::size_t(ruleOf_[std::size_t(node)])];
     const auto axis = alongAxis(rule, component);
     return isFree(rule) || (axis && !rule.fixed[std::size_t(axis->first)]);
@@ -53,6 +55,7 @@ class Candidates {
 
  private:
   const Constraints& constraints_;
+  RigidGroupNodes rigid_;
   std::vector<int> ruleOf_;
   std::set<std::pair<int, int>> taken_;  // node and component; -1: all components
 };
