@@ -189,43 +189,49 @@ std::vector<int> nodesOf(const Mesh& mesh, const Condition& condition) {
   return {nodes.begin(), nodes.end()};
 }
 
-}  // namespace
-
-void buildRigidGroups(const Mesh& mesh, const std::vector<Condition>& conditions, Constraints& constraints, Problems& problems) {
-  std::set<int> taken;
-  int factors = static_cast<int>(constraints.prescribed.size());
+/// Adds the factors of rigid groups to the parts of the prescribed values. \return number of all factors; 0: no factor multiplies them
+int addFactors(const std::vector<Condition>& conditions, Constraints& constraints) {
+  const auto before = static_cast<int>(constraints.prescribed.size());
+  int factors = before;
   for (const Condition& condition : conditions)
     if (condition.type == Condition::Type::RigidGroup && condition.factor > 0) factors = std::max(factors, condition.factor + 1);
   constraints.prescribed.resize(static_cast<std::size_t>(factors));
-  if (factors > 0 && constraints.prescribed.front().empty()) {
-    // without factors so far: all values belong to the constant one
-    bool any = false;
-    for (const auto& values : constraints.prescribed) any = any || !values.empty();
-    for (const NodeRule& rule : constraints.rules)
-      if (!any && rule.value != Point{0, 0, 0}) constraints.prescribed.front().push_back({rule.node, rule.value});
+  if (before > 0 || factors == 0) return factors;
+  for (const NodeRule& rule : constraints.rules)  // all values so far are constant
+    if (rule.value != Point{0, 0, 0}) constraints.prescribed.front().push_back({rule.node, rule.value});
+  return factors;
+}
+
+/// True if the nodes are of one body and in no other rigid group. \param taken  nodes of the other groups, receives these
+bool areOwn(const Mesh& mesh, const Condition& condition, const std::vector<int>& nodes, std::set<int>& taken, Problems& problems) {
+  const auto bodyOf = [&](int node) { return static_cast<std::size_t>(mesh.bodyOfNode[static_cast<std::size_t>(node)]); };
+  const std::size_t body = bodyOf(nodes.front());
+  for (const int node : nodes) {
+    if (bodyOf(node) != body) {
+      problems.add(condition.path + "/Group", "has nodes of the bodies '" + mesh.bodies[body] + "' and '" + mesh.bodies[bodyOf(node)] +
+                                                  "'; a rigid group belongs to one body. Give each body its own, or tie the bodies by a "
+                                                  "contact");
+      return false;
+    }
+    if (!taken.insert(node).second) {
+      problems.add(condition.path + "/Group",
+                   "shares a node at " + placeText(mesh.point(node), mesh.dimension) + " with another Rigid Group; make one group of both");
+      return false;
+    }
   }
+  return true;
+}
+
+}  // namespace
+
+void buildRigidGroups(const Mesh& mesh, const std::vector<Condition>& conditions, Constraints& constraints, Problems& problems) {
+  const int factors = addFactors(conditions, constraints);
+  std::set<int> taken;
   for (std::size_t number = 0; number < conditions.size(); ++number) {
     const Condition& condition = conditions[number];
     if (condition.type != Condition::Type::RigidGroup) continue;
     const std::vector<int> nodes = nodesOf(mesh, condition);
-    if (nodes.empty()) continue;
-    const std::size_t before = problems.list().size();
-    const int body = mesh.bodyOfNode[static_cast<std::size_t>(nodes.front())];
-    for (const int node : nodes) {
-      const std::string place = placeText(mesh.point(node), mesh.dimension);
-      if (mesh.bodyOfNode[static_cast<std::size_t>(node)] != body) {
-        problems.add(condition.path + "/Group",
-                     "has nodes of the bodies '" + mesh.bodies[static_cast<std::size_t>(body)] + "' and '" +
-                         mesh.bodies[static_cast<std::size_t>(mesh.bodyOfNode[static_cast<std::size_t>(node)])] +
-                         "'; a rigid group belongs to one body. Give each body its own, or tie the bodies by a contact");
-        break;
-      }
-      if (!taken.insert(node).second) {
-        problems.add(condition.path + "/Group", "shares a node at " + place + " with another Rigid Group; make one group of both");
-        break;
-      }
-    }
-    if (problems.list().size() > before) continue;
+    if (nodes.empty() || !areOwn(mesh, condition, nodes, taken, problems)) continue;
     constraints.rigidGroups.push_back(Builder(mesh, conditions, static_cast<int>(number), nodes).build(factors, constraints, problems));
   }
 }

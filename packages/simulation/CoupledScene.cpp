@@ -77,7 +77,10 @@ void CoupledScene::setDisplacements(const CouplingSurface& surface, const std::v
     for (SubdomainMesh& mesh : parts_->cut.meshes) {
       std::vector<char> inContact(mesh.nodes(), 0);
       for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) inContact[end.node] = 1;
+      const RigidGroupNodes rigid(mesh.rigidGroups, mesh.dimension);
       for (NodeRule& rule : mesh.rules) {
+        if (rigid.contains(rule.node) && values.count(mesh.globalNodes[rule.node]))
+          throw InputError(path, "displacements cannot be prescribed at nodes of a Rigid Group; expected a group without them");
         if (inContact[rule.node] && values.count(mesh.globalNodes[rule.node]))
           throw InputError(path, "displacements cannot be prescribed at nodes in a contact; expected a group without contact nodes");
         take(rule, mesh.globalNodes[rule.node]);

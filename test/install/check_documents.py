@@ -16,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "doc"))
 import check_doc  # noqa: E402
 
 # Tools for building the documents.
-NOT_INSTALLED = {"doc/Doxyfile", "doc/parameters.py", "doc/materials_list.py", "doc/html/render.py", "doc/html/style.css"}
+NOT_INSTALLED = {"doc/Doxyfile", "doc/parameters.py", "doc/materials_list.py", "doc/generated_page.py", "doc/html/render.py", "doc/html/style.css"}
 
 
 def outside(prefix):

@@ -29,6 +29,22 @@ bool isVolatile(const std::string& text, const std::string& file) {
 /// True if the parts of an assembly are in other files (ISO 10303-21: entities DOCUMENT_FILE).
 bool refersToFiles(const std::string& step) { return step.find("DOCUMENT_FILE") != std::string::npos; }
 
+/// Folders of LD_LIBRARY_PATH from which another Gmsh may be loaded. The other ones may differ between runs, such as that of mpirun.
+std::string otherGmsh() {
+  const char* const all = std::getenv("LD_LIBRARY_PATH");
+  std::istringstream folders(all ? all : "");
+  std::string found;
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::error_code failure;
+    for (std::filesystem::directory_iterator file(folder, failure), end; !failure && file != end; file.increment(failure))
+      if (file->path().filename().string().rfind("libgmsh", 0) == 0) {
+        found += folder + ":";
+        break;
+      }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<std::string> meshKey(const MesherOrder& order, const std::map<std::string, double>& constants,
@@ -36,8 +52,7 @@ std::optional<std::string> meshKey(const MesherOrder& order, const std::map<std:
   if (order.allowPrograms || files.empty()) return std::nullopt;
   Packer key;
   key.put(stampOf(mesherProgram()).value_or(FileStamp{}));
-  const char* const libraries = std::getenv("LD_LIBRARY_PATH");  // other libraries may be loaded
-  key.put(std::string(libraries ? libraries : ""));
+  key.put(otherGmsh());
   key.put(order.meshSizeFactor);
   key.put(order.order);
   key.put(order.largest);
