@@ -178,6 +178,21 @@ void holdCoatings(const Mesh& mesh, Constraints& constraints) {
   constraints.supports.insert(constraints.supports.end(), supports.begin(), supports.end());
 }
 
+/// Multipliers of a mortar on a rigid side with more nodes than the other side would be redundant: the deformable side carries them.
+void chooseCarrier(const Mesh& mesh, const RigidGroupNodes& rigid, ContactSurface& contact) {
+  using Carrier = ContactSurface::Carrier;
+  if (rigid.empty() || contact.carrier != Carrier::Automatic) return;
+  const auto isRigid = [&](const ContactFace& face) {
+    const std::vector<Side> sides = sidesOf(mesh.sideGroups, face.groups);
+    return !sides.empty() && std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
+      const std::vector<int> nodes = mesh.nodesOf(side);
+      return std::all_of(nodes.begin(), nodes.end(), [&](int node) { return rigid.contains(node); });
+    });
+  };
+  const bool a = isRigid(contact.a), b = isRigid(contact.b);
+  if (a != b) contact.carrier = a ? Carrier::SideB : Carrier::SideA;
+}
+
 Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
                   const ContactScales& scales, Problems& problems) {
   for (ContactSurface& contact : contacts)
@@ -190,8 +205,10 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   for (const Condition& condition : conditions) constraints.conditions.push_back(condition.name);
   constraints.springs = springsOf(mesh, conditions);
   holdCoatings(mesh, constraints);
+  const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
   std::vector<PairedSurface> paired;
-  for (const ContactSurface& contact : contacts) {
+  for (ContactSurface& contact : contacts) {
+    if (contact.b.groups.size() > 0 && !contact.overclosure) chooseCarrier(mesh, rigid, contact);
     std::vector<std::string> known;  // notes and problems of the first spring
     Problems same;
     const bool isFirst = contact.spring == 0;

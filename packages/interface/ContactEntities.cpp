@@ -19,11 +19,14 @@ int expressing(const InterfaceSpace& space, int named) {
 std::vector<InterfaceEntity> contactEdges(const InterfaceSpace& space, const std::vector<std::vector<int>>& chains,
                                           const std::vector<char>& apart) {
   EntityGraph graph;
-  std::vector<int> placeOf;  // place of each node of the graph; nodes are numbered along the lines
+  std::vector<int> placeOf;                    // place of each node of the graph; nodes are numbered along the lines
+  std::vector<char> isKnown(apart.size(), 0);  // springs of a softened contact are lines on the same unknowns
   for (const auto& chain : chains) {
     int last = -1;
     for (const int named : chain) {
-      const int place = expressing(space, named);
+      int place = expressing(space, named);
+      if (place >= 0 && isKnown[place]) place = -1;
+      if (place >= 0) isKnown[place] = 1;
       const auto node = static_cast<GlobalId>(placeOf.size());
       placeOf.push_back(place);
       if (place >= 0) graph.addNode(node, space.sharers(place), apart[place] != 0);

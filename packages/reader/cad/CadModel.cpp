@@ -300,8 +300,8 @@ void CadModel::findEntities() {
     for (const auto& entity : closure(3, volumes_[b])) bodyOf_[entity] = b;
 }
 
-// Gmsh's own sizes from curvature end in an endless loop at the tip of a sharp cone, and its loop for faces smaller than the smallest size,
-// too: each face has one size here.
+// With its own sizes from curvature, and with a smallest size larger than a face, Gmsh may run in an endless loop: each face has one size
+// here. Sharp cones (radius 3, height 40) loop with any sizes, up to Mesh/Time Limit.
 void CadModel::meshSkins() {
   if (format_ != CadFormat::Stl) {
     std::map<std::pair<int, int>, double> sizes;

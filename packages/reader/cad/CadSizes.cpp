@@ -8,12 +8,15 @@ namespace suture {
 
 namespace {
 
-constexpr double kOfExtent = 0.1;            // largest size over the extent of a body
-constexpr double kGrowth = 0.5;              // growth of the size with the distance
-constexpr double kDetail = 0.05;             // size of elements on small details over the largest size of the body
-constexpr double kLeast = 0.02;              // smallest size over the largest size of the smallest body, except on round faces
-constexpr double kTiny = 1e-3;               // smallest size on round faces over the largest size of their body
-constexpr double kFacing = 0.5;              // size where bodies face each other over the size otherwise
+constexpr double kOfExtent = 0.1;  // largest size over the extent of a body
+constexpr double kGrowth = 0.5;    // growth of the size with the distance
+constexpr double kDetail = 0.05;   // size of elements on small details over the largest size of the body
+constexpr double kLeast = 0.02;    // smallest size over the largest size of the smallest body, except on round faces
+constexpr double kTiny = 1e-3;     // smallest size on round faces over the largest size of their body
+// Size where bodies face each other over the size otherwise. With 1, 0.7, 0.5, 0.35 and 0.25, the largest pressure of a ball on a block
+// (Hertz, radius of contact a fifth of the ball's) has errors of 7, 5, 6, 2 and 1 % with 3,400 to 5,400 nodes, and that of the clevis in
+// tutorial 5 is 243 to 264 MPa with 3,200 to 10,600 nodes, its displacement the same within 0.4 %.
+constexpr double kFacing = 0.5;
 constexpr double kReach = 0.05;              // largest clearance of facing bodies over the extent of the smaller one: as in suture_new
 constexpr double kOpposite = -0.5;           // largest cosine between normals that face each other
 constexpr std::size_t kRayTests = 40000000;  // bounds the time: a fraction of a second
