@@ -239,11 +239,14 @@ summary["safety"] = {"stresses": "recovered at nodes", "least": 0.75, "body": "l
     "lower": {"factor": 0.75, "material": "steel", "criterion": "Von Mises", "place": [1.5, -2.0], "principal_stresses": [3.0, 1.0, 0.0], "unit": "MPa"},
     "upper": {"factor": 2.5, "material": "steel", "criterion": "Von Mises", "place": [0.5, 2.0], "principal_stresses": [1.0, 0.5, 0.0], "unit": "MPa"},
     "pad": {"factor": None, "material": "rubber", "criterion": None, "place": None, "principal_stresses": None, "unit": "MPa"}}}
+summary["rigid_groups"] = {"platen": {"point": [1.5, 3.0], "displacement": [4e-17, -0.25], "rotation": [0.125]}}
 (noted / "summary.json").write_text(json.dumps(summary))
 check("safety: suture_plot", plot(noted)[0], 0)
 tree, _ = page_of("safety", noted)
 lines = tree.find(".//section[@id='answers']//table[@id='safety_factors']").find("tbody").findall("tr")
 check("safety: factors and places", [numbers(line) for line in lines], [[0.75, 1.5, -2.0], [2.5, 0.5, 2.0], []])
+rigid = tree.find(".//section[@id='answers']//table[@id='rigid_groups']").find("tbody").findall("tr")
+check("rigid groups: point, displacement without round-off, rotation", [numbers(line) for line in rigid], [[1.5, 3.0, 0.0, -0.25, 0.125]])
 check("safety: exceeded", [line.find(".//span").get("class") for line in lines], ["fails", "holds", "soft"])
 check("safety: the answer is not valid there", "not valid there" in "".join(lines[0].itertext()), True)
 

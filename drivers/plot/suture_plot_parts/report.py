@@ -3,7 +3,7 @@ import os
 import re
 
 from .html import esc, figure, page
-from .report_answers import body_forces, contact_table, key_figures, loads_and_supports, safety
+from .report_answers import body_forces, contact_table, key_figures, loads_and_supports, rigid_groups, safety
 from .report_header import banner, error_sentence, head, sentence, split_notes, warnings
 from .report_run import convergence, cost, error, load_steps, provenance, verdict
 from .report_scene import contact_pieces, force_basis, reactions, scene_in_words
@@ -48,7 +48,7 @@ def answers(run):
         return loads_and_supports(run) + contact_table(run)
     basis = force_basis(run)
     note = f'<p class="soft">Forces: {esc(basis)}.</p>\n' if basis else ""
-    return key_figures(run) + error_sentence(run) + safety(run) + loads_and_supports(run) + contact_table(run) + body_forces(run) + note
+    return key_figures(run) + error_sentence(run) + safety(run) + loads_and_supports(run) + rigid_groups(run) + contact_table(run) + body_forces(run) + note
 
 
 def results(run, drawn):

@@ -83,7 +83,7 @@ def loads_and_supports(run):
         if factors:
             row.append(esc(c.factor))
         if forces:
-            row.append(force_of(found[c.name], largest_force(run)) if c.name in found else "")
+            row.append(force_of(exerted(found, c.name), largest_force(run)) if c.name in found else "")
         rows.append(row)
     head = ["name", "type", "value", "where", *(["factor over time"] if factors else []), *([f"force on the bodies [{run.force_unit}]"] if forces else [])]
     times = run.parameter("Load Steps", "Times", default=[])
@@ -92,6 +92,23 @@ def loads_and_supports(run):
         listed = ", ".join([f"{time:g}" for time in times] if len(times) <= 8 else [f"{times[0]:g}", f"{times[1]:g}", "\u2026", f"{times[-1]:g}"])
         said = f"Load steps end at t = {listed}. Values in braces are factors at these times, linear between them." + (" Forces at the end." if forces else "")
     return "<h3>Loads and supports</h3>\n" + table(head, rows, caption=said, long=(0, 2, 3, 4) if factors else (0, 2, 3))
+
+
+def exerted(found, name):
+    """Force of a condition; that of a rigid group is its reaction and the force at its point"""
+    at_point = found.get(f"{name}/Force")
+    return found[name] if at_point is None else {"force": [a + b for a, b in zip(found[name]["force"], at_point["force"])]}
+
+
+def rigid_groups(run):
+    """Motions of the rigid groups"""
+    found = run.summary.get("rigid_groups") or {}
+    if not found or not run.good:
+        return ""
+    rows = [[esc(name), vector(group["point"]), *(force_of({"force": group[key]}, max(map(abs, group[key]))) for key in ("displacement", "rotation"))]
+            for name, group in found.items()]
+    head = ("rigid group", f"reference point [{run.length_unit}]", f"displacement [{run.length_unit}]", "rotation [rad]")
+    return "<h3>Rigid groups</h3>\n" + table(head, rows, long=(0, 1, 2, 3), key="rigid_groups")
 
 
 def contact_table(run):
