@@ -208,7 +208,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
   std::vector<PairedSurface> paired;
   for (ContactSurface& contact : contacts) {
-    if (contact.b.groups.size() > 0 && !contact.overclosure) chooseCarrier(mesh, rigid, contact);
+    if (!contact.b.groups.empty() && !contact.overclosure) chooseCarrier(mesh, rigid, contact);
     std::vector<std::string> known;  // notes and problems of the first spring
     Problems same;
     const bool isFirst = contact.spring == 0;

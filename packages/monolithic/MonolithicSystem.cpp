@@ -61,7 +61,9 @@ void MonolithicSystem::number() {
     const int row = int(rows_.size());
     const auto first = std::ptrdiff_t(entries.size());
     rows_.push_back({{}, {}, along == 0 ? pair.gap : dot(pair.past.slip, towards), place, along});
-    for (const auto& [node, weight] : pair.ends) {
+    for (const PairEnd& end : pair.ends) {
+      const int node = end.node;
+      const double weight = end.weight;
       const Vector direction = inAxes(ruleAt(node), towards, dimension);
       for (int k = 0; k < dimension; ++k) {
         const int c = component(node, k);
