@@ -44,8 +44,8 @@ struct Solution : OuterFigures {
   std::vector<Vector> displacement;
   /// Displacements since the time of `Output/Displacements Since`, likewise; empty up to that time.
   std::vector<Vector> since{};
-  std::vector<RigidGroupMotion> rigidGroups{};
-  std::optional<double> sinceTime{};  ///< that time, if `since` is known; the same on all ranks
+  std::optional<double> sinceTime{};            ///< that time, if `since` is known; the same on all ranks
+  std::vector<RigidGroupMotion> rigidGroups{};  ///< motions of the rigid groups, on rank 0
   std::optional<double> meshError;  ///< averagedEstimate(): relative discretisation error in the energy norm, if no better estimate exists
   std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of this rank's subdomains that have their own physics, by place
   std::vector<Matrix> nodalStresses;  ///< by subdomain: see nodalStresses(); empty if not requested

@@ -1,4 +1,5 @@
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/RigidFrame.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/constraints/BuildRigidGroups.hpp>
 #include <suture/mesh/CellGeometry.hpp>
@@ -21,7 +22,7 @@ Point axis(int k) {
   return direction;
 }
 
-/// One group while it is built. Its motion is given by amplitudes about the centre of its nodes, all of them lengths (as in RigidPart).
+/// One group while it is built. Its motion is given by amplitudes about the centre of its nodes, all of them lengths (RigidFrame).
 class Builder {
  public:
   Builder(const Mesh& mesh, const std::vector<Condition>& conditions, int number, std::vector<int> nodes)
@@ -29,10 +30,9 @@ class Builder {
     group_.condition = number;
     group_.point = *condition_.point;
     group_.nodes = std::move(nodes);
-    const double share = 1.0 / static_cast<double>(group_.nodes.size());
-    for (const int node : group_.nodes) centre_ = plus(centre_, scaled(share, mesh.point(node)));
-    for (const int node : group_.nodes) radius_ = std::max(radius_, norm(minus(mesh.point(node), centre_)));
-    if (radius_ == 0.0) radius_ = 1.0;
+    std::vector<Point> points;
+    for (const int node : group_.nodes) points.push_back(mesh.point(node));
+    frame_ = RigidFrame::around(points);
   }
 
   /// The group, with the rules and prescribed values of its nodes. \param factors  number of factors; 0: none
@@ -60,8 +60,7 @@ class Builder {
   };
 
   Vector rowOf(const Point& place, const Point& direction) const {
-    const std::array<double, 6> values = rigidValues(dimension_, scaled(1.0 / radius_, minus(place, centre_)), direction);
-    return Eigen::Map<const Vector>(values.data(), rigidMotions(dimension_));
+    return frame_.at(place, dimension_).transpose() * Eigen::Map<const Vector>(direction.data(), dimension_);
   }
 
   /// Everything that restricts the motion.
@@ -79,7 +78,7 @@ class Builder {
       if (k < 3)
         add(rowOf(*condition_.point, axis(k)), *value, condition_.factor, -1);
       else
-        add(Vector::Unit(amplitudes, dimension_ == 2 ? 2 : k), *value * radius_, condition_.factor, -1);
+        add(Vector::Unit(amplitudes, dimension_ == 2 ? 2 : k), *value * frame_.radius, condition_.factor, -1);
     }
     for (const NodeRule& rule : constraints.rules) {
       if (!std::binary_search(group_.nodes.begin(), group_.nodes.end(), rule.node)) continue;
@@ -114,8 +113,7 @@ class Builder {
     const auto count = static_cast<Eigen::Index>(group_.nodes.size()) * dimension_;
     nodal_ = Matrix(count, rigidMotions(dimension_));
     for (std::size_t i = 0; i < group_.nodes.size(); ++i)
-      for (int k = 0; k < dimension_; ++k)
-        nodal_.row(Eigen::Index(i) * dimension_ + k) = rowOf(mesh_.point(group_.nodes[i]), axis(k)).transpose();
+      nodal_.middleRows(Eigen::Index(i) * dimension_, dimension_) = frame_.at(mesh_.point(group_.nodes[i]), dimension_);
     Matrix moved = nodal_ * free;
     if (moved.cols() > 0) moved = orthonormalBasis(moved, kIndependent);  // without motions that move no node
     follow_ = Matrix(count, 0);
@@ -175,8 +173,7 @@ class Builder {
   const Condition& condition_;
   int dimension_;
   RigidGroup group_;
-  Point centre_{0, 0, 0};
-  double radius_ = 0.0;
+  RigidFrame frame_;
   std::vector<Row> rows_;
   std::vector<int> masters_;  // rows of nodal_
   Matrix nodal_, follow_;     // components of the nodes x amplitudes, x masters

@@ -1,5 +1,5 @@
 #include <suture/elasticity/Coatings.hpp>
-#include <suture/elasticity/SideMap.hpp>
+#include <suture/elasticity/SideSprings.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -8,26 +8,11 @@ namespace suture {
 
 namespace {
 
-/// Integral of N_a N_b with the coating's stiffness: of one end of the springs.
+/// Stiffness of one end of the springs.
 Matrix endStiffness(const CellBlock& block, const Coating& coating) {
   std::vector<Point> points;
   for (const int node : block.innerNodes(coating)) points.push_back(block.point(node));
-  const int dimension = block.dimension;
-  SideMap map(points, dimension, Rule::Load, block.axisymmetric);
-  const ReferenceElement& reference = map.reference();
-  Matrix all = Matrix::Zero(dimension * reference.nodes, dimension * reference.nodes);
-  for (int q = 0; q < reference.points; ++q) {
-    map.at(q);
-    if (!(map.measure() > 0.0)) continue;  // on an axis of revolution
-    const Eigen::Vector3d normal = Eigen::Map<const Eigen::Vector3d>(map.normal().data()) / map.measure();
-    const Eigen::Matrix3d along = normal * normal.transpose(),
-                          here = map.measure() * (coating.normal * along + coating.tangential * (Eigen::Matrix3d::Identity() - along));
-    for (int a = 0; a < reference.nodes; ++a)
-      for (int b = 0; b < reference.nodes; ++b)
-        all.block(dimension * a, dimension * b, dimension, dimension) +=
-            reference.valuesAt(q)[a] * reference.valuesAt(q)[b] * here.topLeftCorner(dimension, dimension);
-  }
-  return all;
+  return sideSprings(points, block, coating.normal, coating.tangential);
 }
 
 }  // namespace

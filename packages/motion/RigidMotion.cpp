@@ -1,5 +1,6 @@
 #include <suture/algebra/DisjointSets.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/RigidFrame.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/motion/RigidMotion.hpp>
 
@@ -44,31 +45,14 @@ std::vector<int> components(const CellBlock& block, const std::vector<RigidGroup
   return part;
 }
 
-/// Position of a point relative to the centre of the rotations, in radii.
-Point armOf(const RigidPart& part, const Point& point) {
-  Point arm = minus(point, part.centre);
-  for (double& x : arm) x /= part.radius;
-  return arm;
-}
-
 }  // namespace
 
-Matrix RigidPart::at(const Point& point, int dimension) const {
-  Matrix motion(dimension, rigidMotions(dimension));
-  const Point arm = armOf(*this, point);
-  for (int k = 0; k < dimension; ++k) {
-    Point axis{0, 0, 0};
-    axis[k] = 1.0;
-    const std::array<double, 6> values = rigidValues(dimension, arm, axis);
-    for (int column = 0; column < motion.cols(); ++column) motion(k, column) = values[column];
-  }
-  return motion;
-}
+Matrix RigidPart::at(const Point& point, int dimension) const { return RigidFrame{centre, radius}.at(point, dimension); }
 
 Point RigidPart::displacement(const Point& point, const Vector& amplitudes, int dimension) const {
   Point translation, rotation;
   splitAmplitudes(amplitudes, dimension, translation, rotation);
-  return rigidDisplacement(translation, rotation, armOf(*this, point));
+  return rigidDisplacement(translation, rotation, RigidFrame{centre, radius}.arm(point));
 }
 
 std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension) {

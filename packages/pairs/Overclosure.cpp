@@ -24,8 +24,8 @@ constexpr const char* kRatio = "Tangential Ratio";
 /// The exponential law in units of p0 and c0.
 double shape(double x) { return x > 0.0 ? x * std::expm1(x) / (std::exp(1.0) - 1.0) : 0.0; }
 
-/// Corners of straight lines near the exponential law: x and pressure in its units. The corners lie below the law by as much as the middles
-/// of the lines lie above it.
+/// Corners of straight lines near the exponential law: x and pressure in its units. Corners lie below the law, middles of lines equally far
+/// above it.
 class ExponentialFit {
  public:
   ExponentialFit(double accuracy, double largest) : accuracy_(accuracy) {

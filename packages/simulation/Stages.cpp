@@ -87,8 +87,10 @@ PartitionedScene cut(MeshedScene meshed) {
 
 namespace {
 
-/// Refuses a scene without a solution, and finds auxiliary supports of bodies that mean displacements hold. Collective.
-MeanSupports supportsOf(const SceneParts& parts, MeanSupports::Where where) {
+/// Refuses a scene without a solution, and finds auxiliary supports of bodies that mean displacements hold. Contact that holds a body may
+/// open while the means are sought, so it does not count; with load steps it must, because forces of means are found only once. Collective.
+MeanSupports supportsOf(const SceneParts& parts) {
+  const MeanSupports::Where where = parts.scene.steps.empty() ? MeanSupports::Where::Everywhere : MeanSupports::Where::Needed;
   MeanSupports supports =
       MeanSupports::find(parts.run.comm(), parts.mesh, parts.constraints, parts.scene.model, parts.cut.partition.bodiesAreConnected, where);
   requireOneStep(parts.scene, supports);
@@ -97,19 +99,7 @@ MeanSupports supportsOf(const SceneParts& parts, MeanSupports::Where where) {
 
 /// Finds the amounts of controlled loads, and holds the nodes of auxiliary supports accordingly. Collective.
 void findAmounts(SceneParts& parts) {
-  const auto control = [&] {
-    return controlLoads(parts.run.commPtr(), parts.scene, parts.meanSupports, parts.cut.meshes, parts.run.monitor());
-  };
-  Vector held;
-  try {
-    held = control();
-  } catch (const Error&) {
-    // At the solution contact may no longer hold a body, as where a mean displacement lifts it.
-    const bool mayHelp = parts.isWhole && parts.meanSupports.empty() && parts.scene.steps.empty();
-    if (mayHelp) parts.meanSupports = supportsOf(parts, MeanSupports::Where::Everywhere);
-    if (parts.meanSupports.empty() || !mayHelp) throw;
-    held = control();
-  }
+  const Vector held = controlLoads(parts.run.commPtr(), parts.scene, parts.meanSupports, parts.cut.meshes, parts.run.monitor());
   if (parts.meanSupports.empty()) return;
   parts.meanSupports.addTo(parts.cut.meshes, held);
   collectivelyOnRoot(parts.run.comm(), "adding supports", [&] { parts.meanSupports.addTo(parts.constraints, held); });
@@ -123,7 +113,7 @@ CheckedScene check(PartitionedScene partitioned) {
   const Scene& scene = parts.scene;
   timed(parts.run.timers(), "partition", [&] {
     checkElements(comm, parts.cut.meshes, scene.model);
-    if (parts.isWhole) parts.meanSupports = supportsOf(parts, MeanSupports::Where::Needed);
+    if (parts.isWhole) parts.meanSupports = supportsOf(parts);
   });
   OverlapNotes overlaps = timed(parts.run.timers(), "partition", [&] { return OverlapNotes(comm, parts.cut.meshes, scene); });
   locateProbes(comm, parts.cut.meshes, scene.model.bodies, readProbes(scene.settings(), scene.model.bodies));

@@ -26,6 +26,7 @@ struct FreeRow {
 };
 
 FreeRow freeRowOf(const Mesh& mesh, const Constraints& constraints, const std::vector<int>& ruleOf, const PrescribedMean& mean) {
+  const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
   FreeRow row;
   const NodeRule none;
   for (const auto& [node, weight] : mean.nodes) {
@@ -37,8 +38,11 @@ FreeRow freeRowOf(const Mesh& mesh, const Constraints& constraints, const std::v
       if (along == 0.0) continue;
       if (rule.fixed[std::size_t(k)])
         row.prescribed += along * rule.value[std::size_t(k)];
-      else
+      else if (!rigid.contains(node))
         row.entries[node * mesh.dimension + k] = along;
+      rigid.forEachMaster(node, k, [&](int master, int component, double coefficient) {
+        row.entries[master * mesh.dimension + component] += along * coefficient;
+      });
     }
   }
   row.size = std::sqrt(row.size);

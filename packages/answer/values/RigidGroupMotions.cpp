@@ -1,6 +1,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/answer/values/RigidGroupMotions.hpp>
 #include <suture/base/Gather.hpp>
+#include <suture/base/RigidFrame.hpp>
 #include <suture/base/RigidValues.hpp>
 
 #include <algorithm>
@@ -20,22 +21,16 @@ struct Member {
 
 RigidGroupMotion motionOf(const std::vector<Member>& nodes) {
   const int dimension = nodes.front().dimension, amplitudes = rigidMotions(dimension);
-  Point centre{0, 0, 0};
-  for (const Member& one : nodes) centre = plus(centre, scaled(1.0 / static_cast<double>(nodes.size()), one.place));
-  double radius = 0.0;
-  for (const Member& one : nodes) radius = std::max(radius, norm(minus(one.place, centre)));
-  if (radius == 0.0) radius = 1.0;
+  std::vector<Point> places;
+  for (const Member& one : nodes) places.push_back(one.place);
+  const RigidFrame frame = RigidFrame::around(places);
   Matrix motion(static_cast<Eigen::Index>(nodes.size()) * dimension, amplitudes);
   Vector moved(motion.rows());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (int k = 0; k < dimension; ++k) {
-      Point axis{0, 0, 0};
-      axis[static_cast<std::size_t>(k)] = 1.0;
-      const std::array<double, 6> values = rigidValues(dimension, scaled(1.0 / radius, minus(nodes[i].place, centre)), axis);
-      const auto row = static_cast<Eigen::Index>(i) * dimension + k;
-      motion.row(row) = Eigen::Map<const Vector>(values.data(), amplitudes).transpose();
-      moved[row] = nodes[i].moved[static_cast<std::size_t>(k)];
-    }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto first = static_cast<Eigen::Index>(i) * dimension;
+    motion.middleRows(first, dimension) = frame.at(nodes[i].place, dimension);
+    moved.segment(first, dimension) = Eigen::Map<const Vector>(nodes[i].moved.data(), dimension);
+  }
   const SingularValues parts = singularValues(motion.transpose() * motion);
   const Vector along = parts.u.transpose() * (motion.transpose() * moved);
   Vector found = Vector::Zero(amplitudes);
@@ -46,8 +41,8 @@ RigidGroupMotion motionOf(const std::vector<Member>& nodes) {
   all.point = nodes.front().point;
   Point shift, turn;
   splitAmplitudes(found, dimension, shift, turn);
-  all.rotation = scaled(1.0 / radius, turn);
-  all.displacement = rigidDisplacement(shift, all.rotation, minus(all.point, centre));
+  all.rotation = scaled(1.0 / frame.radius, turn);
+  all.displacement = rigidDisplacement(shift, all.rotation, minus(all.point, frame.centre));
   return all;
 }
 
@@ -71,7 +66,7 @@ std::vector<RigidGroupMotion> rigidGroupMotions(const Comm& comm, const std::vec
           one.moved[static_cast<std::size_t>(k)] = mesh.total(displacement[s], Eigen::Index(node) * mesh.dimension + k);
       }
   }
-  std::vector<Member> all = joinEverywhere(comm, mine);
+  std::vector<Member> all = joinOnRoot(comm, mine);
   std::sort(all.begin(), all.end(),
             [](const Member& a, const Member& b) { return std::tie(a.condition, a.node) < std::tie(b.condition, b.node); });
   std::map<int, std::vector<Member>> groups;

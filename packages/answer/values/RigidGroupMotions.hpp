@@ -14,8 +14,8 @@ struct RigidGroupMotion {
 };
 
 /// Motions of all rigid groups, by condition: the rigid motion that fits the displacements of their nodes (least squares; nodes on a line
-/// do not determine the rotation about it: the smallest is given). Collective; the same on all ranks. \param displacement  of each mesh,
-/// without its lift: node-major, Cartesian
+/// do not determine the rotation about it: the smallest is given). Collective; on rank 0, empty on other ranks. \param displacement  of
+/// each mesh, without its lift: node-major, Cartesian
 std::vector<RigidGroupMotion> rigidGroupMotions(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
                                                 const std::vector<Vector>& displacement);
 

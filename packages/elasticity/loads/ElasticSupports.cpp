@@ -1,32 +1,10 @@
-#include <suture/elasticity/SideMap.hpp>
+#include <suture/elasticity/SideSprings.hpp>
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 
 #include <algorithm>
 #include <limits>
 
 namespace suture {
-
-namespace {
-
-Matrix sideStiffness(const std::vector<Point>& points, const CellBlock& block, const ElasticSupport& support) {
-  const int dimension = block.dimension;
-  SideMap map(points, dimension, Rule::Load, block.axisymmetric);
-  const ReferenceElement& reference = map.reference();
-  Matrix all = Matrix::Zero(dimension * reference.nodes, dimension * reference.nodes);
-  for (int q = 0; q < reference.points; ++q) {
-    map.at(q);
-    const Eigen::Vector3d normal = Eigen::Map<const Eigen::Vector3d>(map.normal().data()) / map.measure();
-    const Eigen::Matrix3d across = normal * normal.transpose(),
-                          here = map.measure() * (support.normal * across + support.tangential * (Eigen::Matrix3d::Identity() - across));
-    for (int a = 0; a < reference.nodes; ++a)
-      for (int b = 0; b < reference.nodes; ++b)
-        all.block(dimension * a, dimension * b, dimension, dimension) +=
-            reference.valuesAt(q)[a] * reference.valuesAt(q)[b] * here.topLeftCorner(dimension, dimension);
-  }
-  return all;
-}
-
-}  // namespace
 
 ElasticSupports::ElasticSupports(const CellBlock& block, const SideGroups& groups, const ElasticModel& model) : block_(block) {
   for (std::size_t number = 0; number < model.supports.size(); ++number)
@@ -40,7 +18,7 @@ ElasticSupports::ElasticSupports(const CellBlock& block, const SideGroups& group
         points.push_back(block.point(node));
         own.places.push_back(static_cast<int>(std::find(ofElement.begin(), ofElement.end(), node) - ofElement.begin()));
       }
-      own.stiffness = sideStiffness(points, block, model.supports[number]);
+      own.stiffness = sideSprings(points, block, model.supports[number].normal, model.supports[number].tangential);
       sides_.emplace(side.element, std::move(own));
     }
 }

@@ -1,6 +1,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
+#include <suture/base/RigidFrame.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/elasticity/SideMap.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
@@ -91,20 +92,12 @@ std::map<GlobalId, Point> nodesOfGroups(const Pieces& pieces, const Load& load) 
 
 void makeNodalForces(const Pieces& pieces, const ElasticModel& model, Load& load, Problems& problems) {
   const std::map<GlobalId, Point> nodes = nodesOfGroups(pieces, load);
-  Point centre{0, 0, 0};
-  for (const auto& entry : nodes) centre = plus(centre, scaled(1.0 / static_cast<double>(nodes.size()), entry.second));
-  double radius = 0.0;
-  for (const auto& entry : nodes) radius = std::max(radius, norm(minus(entry.second, centre)));
-  if (radius == 0.0) radius = 1.0;
+  std::vector<Point> places;
+  for (const auto& entry : nodes) places.push_back(entry.second);
+  const RigidFrame frame = RigidFrame::around(places);
   const int motions = rigidMotions(model.dimension);
   const auto motionsAt = [&](const Point& place) {  // dimension x motions
-    Matrix all(model.dimension, motions);
-    for (int k = 0; k < model.dimension; ++k) {
-      Point direction{0, 0, 0};
-      direction[std::size_t(k)] = 1.0;
-      const std::array<double, 6> values = rigidValues(model.dimension, scaled(1.0 / radius, minus(place, centre)), direction);
-      all.row(k) = Eigen::Map<const Vector>(values.data(), motions).transpose();
-    }
+    Matrix all = frame.at(place, model.dimension);
     if (model.axisymmetric) all.col(0).setZero(), all.col(2).setZero();
     return all;
   };
@@ -113,10 +106,10 @@ void makeNodalForces(const Pieces& pieces, const ElasticModel& model, Load& load
     const Matrix own = motionsAt(entry.second);
     sums += own.transpose() * own;
   }
-  const Point moment = plus(load.torque, cross(minus(load.place, centre), load.value));
+  const Point moment = plus(load.torque, cross(minus(load.place, frame.centre), load.value));
   Vector work = Vector::Zero(motions);  // in the motions
   for (int k = 0; k < model.dimension; ++k) work[k] = load.value[std::size_t(k)];
-  for (int k = model.dimension; k < motions; ++k) work[k] = moment[std::size_t(model.dimension == 2 ? 2 : k - 3)] / radius;
+  for (int k = model.dimension; k < motions; ++k) work[k] = moment[std::size_t(model.dimension == 2 ? 2 : k - 3)] / frame.radius;
   if (model.axisymmetric) work[0] = work[2] = 0.0;
   const Vector spread = leastSquares(sums, work);
   if ((sums * spread - work).norm() > kCarried * work.norm())
