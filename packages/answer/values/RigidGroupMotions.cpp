@@ -15,6 +15,7 @@ namespace {
 /// A node of a rigid group. Trivially copyable.
 struct Member {
   int condition = -1, dimension = 2;
+  bool axisymmetric = false;
   GlobalId node = -1;
   Point point{0, 0, 0}, place{0, 0, 0}, moved{0, 0, 0};
 };
@@ -31,6 +32,7 @@ RigidGroupMotion motionOf(const std::vector<Member>& nodes) {
     motion.middleRows(first, dimension) = frame.at(nodes[i].place, dimension);
     moved.segment(first, dimension) = Eigen::Map<const Vector>(nodes[i].moved.data(), dimension);
   }
+  if (nodes.front().axisymmetric) motion.col(0).setZero(), motion.col(2).setZero();  // it only moves along the axis
   const SingularValues parts = singularValues(motion.transpose() * motion);
   const Vector along = parts.u.transpose() * (motion.transpose() * moved);
   Vector found = Vector::Zero(amplitudes);
@@ -59,6 +61,7 @@ std::vector<RigidGroupMotion> rigidGroupMotions(const Comm& comm, const std::vec
         Member& one = mine.emplace_back();
         one.condition = group.condition;
         one.dimension = mesh.dimension;
+        one.axisymmetric = mesh.axisymmetric;
         one.node = mesh.globalNodes[static_cast<std::size_t>(node)];
         one.point = group.point;
         one.place = mesh.point(node);

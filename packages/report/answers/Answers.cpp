@@ -207,6 +207,26 @@ Json rigidGroupsJson(const Run& run, int dimension) {
   return all;
 }
 
+namespace {
+
+constexpr double kRounded = 1e-9;  // component of a motion, relative to the largest, that is printed as zero
+
+Point withoutRounding(Point motion) {
+  const double most = std::max({std::abs(motion[0]), std::abs(motion[1]), std::abs(motion[2])});
+  for (double& component : motion)
+    if (std::abs(component) < kRounded * most) component = 0.0;
+  return motion;
+}
+
+std::string motionText(const Run& run, const RigidGroupMotion& group, const std::string& length, int dimension) {
+  const Point rotation = withoutRounding(group.rotation);
+  return "   rigid group '" + run.conditions[static_cast<std::size_t>(group.condition)] + "' moves by " +
+         placeText(withoutRounding(group.displacement), dimension) + " " + length + " and turns by " +
+         (dimension == 2 ? format("%.6g", rotation[2]) : placeText(rotation, 3)) + " rad\n";
+}
+
+}  // namespace
+
 std::string extremesText(const Run& run, int dimension) {
   const Extremes& found = run.solution.extremes;
   if (!found.displacement.exists()) return "";
@@ -222,11 +242,7 @@ std::string extremesText(const Run& run, int dimension) {
     text += format("; contact pressure up to %.3e %s on '%s' at %s", pair->pressure, units.stress.c_str(),
                    contactName(run, pair->line).c_str(), placeText(pair->position, dimension).c_str());
   text += "\n";
-  for (const RigidGroupMotion& group : run.solution.rigidGroups) {
-    text += "   rigid group '" + run.conditions[static_cast<std::size_t>(group.condition)] + "' moves by " +
-            placeText(group.displacement, dimension) + " " + units.length + " and turns by ";
-    text += (dimension == 2 ? format("%.6g", group.rotation[2]) : placeText(group.rotation, 3)) + " rad\n";
-  }
+  for (const RigidGroupMotion& group : run.solution.rigidGroups) text += motionText(run, group, units.length, dimension);
   if (run.solution.safety.ofBodies.empty() || !leastOf(run.solution.safety).exists()) return text;
   const LeastSafety& least = leastOf(run.solution.safety);
   const Material& material = least.material(run.model);
