@@ -14,8 +14,8 @@ except ImportError as missing:
     sys.exit(77)
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "decks"))
-import samples
 from bars import MATERIAL, Bar, bar_deck, convert, end_of, entry, nset, scene, solved
+from grids import listed
 from harness import arguments, check, finish, forked
 
 options = arguments("--convert", "--solve")
@@ -87,7 +87,7 @@ contact = "*CONTACT PAIR, INTERACTION=I{more}\nSB, SA\n"
 end_of("gap", pair.format(extra=contact.format(more="")), -0.25, x=2.0)
 end_of("clearance", pair.format(extra=contact.format(more="") + "*CLEARANCE, SLAVE=SB, MASTER=SA, VALUE=0.2\n"), -0.4, x=2.0)
 # The same surfaces by nodes, by a union, by sets of sets before their members.
-other = pair.replace("*SURFACE, NAME=SA\n2, S4\n", "*SURFACE, NAME=SA, TYPE=NODE\nNA\n*NSET, NSET=NA\nNB\n*NSET, NSET=NB\n" + samples.listed(first.at(2)))
+other = pair.replace("*SURFACE, NAME=SA\n2, S4\n", "*SURFACE, NAME=SA, TYPE=NODE\nNA\n*NSET, NSET=NA\nNB\n*NSET, NSET=NB\n" + listed(first.at(2)))
 other = other.replace("*SURFACE, NAME=SB\n101, S6\n", "*SURFACE, NAME=SB, COMBINE=UNION\nSC, SC\n*SURFACE, NAME=SC\nEC, S6\n*ELSET, ELSET=EC\nEB\n*ELSET, ELSET=EB, "
                       "GENERATE\n101, 103, 2\n")
 end_of("surfaces", other.format(extra=contact.format(more="")), -0.25, x=2.0)

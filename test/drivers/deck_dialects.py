@@ -14,8 +14,8 @@ except ImportError as missing:
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "decks"))
 from bars import MATERIAL, Bar, bar_deck, convert, end_of, entry, nset, scene, solved
+from grids import Grid, listed
 from harness import arguments, check, finish
-from samples import Grid, listed
 
 options = arguments("--convert", "--solve")
 work = options.work

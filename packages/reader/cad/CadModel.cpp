@@ -1,11 +1,11 @@
 #include <suture/base/Point.hpp>
 #include <suture/reader/cad/CadModel.hpp>
+#include <suture/reader/cad/ShapeWords.hpp>
 
 #include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <set>
 
@@ -67,45 +67,6 @@ double extentOf(int dimension, int tag) {
 }
 
 std::string counted(std::size_t count, const std::string& what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); }
-
-/// A number without round-off digits. \param scale  of the numbers from which it was computed
-std::string number(double value, double scale) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", std::abs(value) > 1e-7 * scale ? value : 0.0);
-  return text;
-}
-
-/// "+z" for a direction along an axis, otherwise its components. \param isLine  "z" for both senses
-std::string direction(Point d, bool isLine) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (std::abs(std::abs(d[k]) - 1) < 1e-6) return (isLine ? "" : d[k] > 0 ? "+" : "-") + std::string(1, "xyz"[k]);
-  if (isLine) {
-    const auto first = std::find_if(d.begin(), d.end(), [](double x) { return std::abs(x) > 1e-6; });
-    if (first != d.end() && *first < 0) d = scaled(-1.0, d);
-  }
-  return "(" + number(d[0], 1) + ", " + number(d[1], 1) + ", " + number(d[2], 1) + ")";
-}
-
-/// "cylinder, radius 6, along z, hole". \param otherwise  Gmsh's word for a surface that is none of our shapes
-std::string description(const SurfaceShape& shape, double scale, const std::string& otherwise) {
-  const auto length = [&](double value) { return number(scale * value, 0.0); };
-  const std::string hollow = shape.hollow ? ", hollow" : "";
-  switch (shape.kind) {
-    case Kind::Plane:
-      return "plane, normal " + direction(shape.axis, false);
-    case Kind::Cylinder:
-      return "cylinder, radius " + length(shape.radius) + ", along " + direction(shape.axis, true) + hollow;
-    case Kind::Cone:
-      return "cone, radius up to " + length(shape.radius) + ", along " + direction(shape.axis, true) + hollow;
-    case Kind::Sphere:
-      return "sphere, radius " + length(shape.radius) + hollow;
-    case Kind::Torus:
-      return "torus, radii " + length(shape.radius) + " and " + length(shape.tube) + ", around " + direction(shape.axis, true) + hollow;
-    case Kind::Other:
-      break;
-  }
-  return otherwise;
-}
 
 /// Smallest radius of curvature of a face that is equally round everywhere; 0 for other shapes.
 double leastRadius(const SurfaceShape& shape) {
@@ -492,7 +453,7 @@ std::map<std::string, std::string> CadModel::name(double scale) {
   std::map<std::string, std::string> descriptions;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     gmsh::model::setPhysicalName(2, gmsh::model::addPhysicalGroup(2, tags[i]), names[i]);
-    descriptions[names[i]] = description(groups[i].shape, scale, "curved");
+    descriptions[names[i]] = inWords(groups[i].shape, scale);
   }
   return descriptions;
 }

@@ -4,7 +4,7 @@ import xml.etree.ElementTree as xml
 import h5py
 import harness
 import numpy as np
-import samples
+from grids import listed
 from harness import check, forked, run
 
 MATERIAL = "*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*DENSITY\n2.\n*EXPANSION\n1.E-3\n"
@@ -31,11 +31,11 @@ class Bar:
 
     def text(self, set_, type_="C3D8I"):
         nodes = "".join(f"{label}, {', '.join(map(repr, map(float, point)))}\n" for label, point in self.nodes.items())
-        return "*NODE\n" + nodes + f"*ELEMENT, TYPE={type_}, ELSET={set_}\n" + "".join(samples.listed([e, *n]) for e, n in self.elements.items())
+        return "*NODE\n" + nodes + f"*ELEMENT, TYPE={type_}, ELSET={set_}\n" + "".join(listed([e, *n]) for e, n in self.elements.items())
 
 
 def nset(name, labels):
-    return f"*NSET, NSET={name}\n" + samples.listed(labels)
+    return f"*NSET, NSET={name}\n" + listed(labels)
 
 
 def bar_deck(step, model="", bar=None, type_="C3D8I", section="", support="*BOUNDARY\nleft, 1, 3\n"):
