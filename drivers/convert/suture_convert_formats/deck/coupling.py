@@ -180,17 +180,23 @@ class Couplings:
             return
         kept = (1,) if axisymmetric else (0, 1, 5) if mesh.dimension == 2 else range(6)
         motions = {k: values for k, values in group.motions.items() if k in kept}
-        found = vectors(motions) if any(np.any(values) for values in motions.values()) else [({k: 0.0 for k in motions}, None)]
-        if len(found) > 1:
-            self._leave(group, f": the motions of the reference node {group.reference[1]} have different amplitudes")
+        members, factors = self._of_one_amplitude(group, motions)
+        if members is None:
             return
-        members, factors = found[0]
         sides = self.solids.group(group.name, group.rows)
         group.reason = f"{group.title}: as Rigid Group '{sides}'"
         given = {MOTIONS[k].replace(" ", "_"): float(members.get(k, 0.0)) for k in motions}
         self.conditions.add(group.name, "Rigid Group", factors, Group=sides, Point=[float(x) for x in group.point[:mesh.dimension]], **given)
         if group.is_loaded:
             self._write_loads(group, sides)
+
+    def _of_one_amplitude(self, group, motions):
+        """The motions {number: value} and their factors; (None, None) after a finding if their amplitudes differ"""
+        found = vectors(motions) or [({}, None)]
+        if len(found) > 1:
+            self._leave(group, f": the motions of the reference node {group.reference[1]} have different amplitudes")
+            return None, None
+        return found[0]
 
     def _where(self, own):
         return {} if len(own) == self.solids.mesh.dimension else {"Components": "".join(LETTERS[k] for k in own)}
@@ -204,11 +210,9 @@ class Couplings:
 
     def _add_rotated(self, group, own, motions):
         """A small rotation: displacements that are linear in the position"""
-        found = vectors(motions)
-        if len(found) > 1:
-            self._leave(group, f": the motions of the reference node {group.reference[1]} have different amplitudes")
+        members, factors = self._of_one_amplitude(group, motions)
+        if members is None:
             return
-        members, factors = found[0]
         sides = self.solids.group(group.name, group.rows)
         group.reason = f"{group.title}: the rotation of node {group.reference[1]} as displacements of '{sides}' that are linear in the position"
         self.findings.change(group.place, group.reason)
