@@ -9,7 +9,7 @@
 namespace suture {
 namespace {
 
-constexpr double kNoForce = 1e-13;  // relative to the largest force
+constexpr double kZeroForce = 1e-13;  // relative to the largest force
 // Cost of a self-balanced pattern per unit of force, and of the force of a side that should carry none, relative to the largest pressure. A
 // high cost gives patterns where p cannot balance the forces, and only there. Lower ones follow for forces on the boundary of what p >= 0
 // can balance, for which the search converges slowly.
@@ -293,7 +293,7 @@ Pressures admissiblePressures(const PressedSides& sides) {
   if (largest == 0) return all;
   std::vector<double> missing = sides.forces;  // at nodes outside of clusters
   const Matrix& values = bernsteinValues(sides.dimension, sides.degree);
-  for (const PressedPart& part : loadedParts(sides, kNoForce * largest)) {
+  for (const PressedPart& part : loadedParts(sides, kZeroForce * largest)) {
     const PartPressures result = pressuresOf(part);
     all.feasible = all.feasible && result.feasible;
     for (std::size_t k = 0; k < part.sideNumbers.size(); ++k)
@@ -310,7 +310,7 @@ Pressures admissiblePressures(const PressedSides& sides) {
     }
   }
   for (const double force : missing) all.misfit = std::max(all.misfit, std::abs(force) / largest);
-  all.feasible = all.feasible && all.misfit <= 10 * kNoForce;
+  all.feasible = all.feasible && all.misfit <= 10 * kZeroForce;
   return all;
 }
 

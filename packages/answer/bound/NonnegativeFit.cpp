@@ -14,7 +14,7 @@ constexpr double kLeastShift =
     1e-14;                       // relative to the diagonal of H, whose rows are scaled: keeps rows without a positive unknown regular
 constexpr double kShift = 1e-3;  // part of the diagonal per relative misfit: shorter steps far from the solution
 constexpr int kMostTrials = 40;
-constexpr double kFlat = 0.3;  // a step is accepted if the slope of the dual function fell to this part of its start
+constexpr double kFlatSlope = 0.3;  // a step is accepted if the slope of the dual function fell to this part of its start
 
 /// H = C S C^T + shift on a sparsity pattern that does not change, and its factorisation. S selects columns.
 class SelectedNormal {
@@ -72,7 +72,7 @@ double stepLength(const Vector& weights, const Vector& z, const Vector& d, doubl
   double low = 0, high = 0, t = 1;
   for (int trial = 0; trial < kMostTrials; ++trial) {
     const double now = slope(t);
-    if (std::abs(now) <= kFlat * work) return t;
+    if (std::abs(now) <= kFlatSlope * work) return t;
     (now < 0 ? low : high) = t;
     t = high > 0 ? 0.5 * (low + high) : 4 * t;
   }
