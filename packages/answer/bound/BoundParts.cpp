@@ -437,7 +437,7 @@ BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& p
 template <int D>
 void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts) {
   using Nodes = SimplexNodes<D>;
-  if (lifts.empty() || parts.degree == 1) return;
+  if (lifts.empty()) return;
   for (std::size_t m = 0; m < solution.meshes.size(); ++m) {
     const SubdomainMesh& mesh = solution.meshes[m];
     std::map<int, Point> here;
@@ -452,19 +452,27 @@ void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<
       BoundElement<D>& element = parts.elements[parts.ofMesh[m][e]];
       Eigen::Matrix<double, D, (D == 2 ? 6 : 10)> nodal;
       nodal.setZero();
-      for (std::size_t i = 0; i < cell.edges.size(); ++i) {
-        const auto found = here.find(all[cell.vertices + int(i)]);
+      const auto place = [&](int node) {
+        const GlobalId id = mesh.globalNodes[node];
+        return int(std::find(element.vertices.begin(), element.vertices.end(), id) - element.vertices.begin());
+      };
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto found = here.find(all[i]);
         if (found == here.end()) continue;
-        const auto place = [&](int node) {
-          const GlobalId id = mesh.globalNodes[node];
-          return int(std::find(element.vertices.begin(), element.vertices.end(), id) - element.vertices.begin());
-        };
-        const int a = place(all[cell.edges[i][0]]), b = place(all[cell.edges[i][1]]);
-        for (int k = 0; k < D; ++k) nodal(k, D + 1 + Nodes::edge(std::min(a, b), std::max(a, b))) = found->second[k];
+        int at = 0;
+        if (int(i) < cell.vertices) {
+          at = place(all[i]);
+        } else {
+          const auto& ends = cell.edges[i - std::size_t(cell.vertices)];
+          const int a = place(all[ends[0]]), b = place(all[ends[1]]);
+          at = D + 1 + Nodes::edge(std::min(a, b), std::max(a, b));
+        }
+        for (int k = 0; k < D; ++k) nodal(k, at) = found->second[k];
       }
       if (nodal.isZero(0.0)) continue;
       const Law<D> law(solution.model.materialOf(mesh, e, mesh.body), solution.model.plane);
-      const Eigen::Matrix<double, BoundElement<D>::stress, D + 1> change = law.stiffness * Collector<D>::strains(element, nodal, 2);
+      const Eigen::Matrix<double, BoundElement<D>::stress, D + 1> change =
+          law.stiffness * Collector<D>::strains(element, nodal, parts.degree);
       element.stresses += change;
       parts.liftNorm += energyOf<D>(element, change);
     }

@@ -36,7 +36,7 @@ struct BoundParts {
 template <int D>
 BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts);
 
-/// Changes the displacement of the middle of edges: adds to the stresses of the simplices. \param lifts  node of the mesh -> displacement
+/// Changes the displacement of nodes: adds to the stresses of the simplices. \param lifts  node of the mesh -> displacement
 template <int D>
 void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts);
 

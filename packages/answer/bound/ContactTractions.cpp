@@ -4,6 +4,7 @@
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/SideGeometry.hpp>
+#include <suture/pairs/PairFrame.hpp>
 
 #include <Teuchos_Comm.hpp>
 
@@ -26,14 +27,14 @@ struct TouchingSide {
   int contact = -1, rank = -1, number = -1;  // place in BoundaryParts::touching; entry of BoundParts::boundary on its rank
   int onA = 0;
   std::array<GlobalId, 6> nodes{{-1, -1, -1, -1, -1, -1}};  // in the order of the bound
-  std::array<Point, 6> places{};
+  std::array<Point, 6> places{}, moved{};                   // and displacements
   Point normal{0, 0, 0};
   double size = 0.0;
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.contact), each(self.rank), each(self.number), each(self.onA), each(self.nodes), each(self.places), each(self.normal);
-    each(self.size);
+    each(self.contact), each(self.rank), each(self.number), each(self.onA), each(self.nodes), each(self.places), each(self.moved);
+    each(self.normal), each(self.size);
   }
 };
 
@@ -42,11 +43,14 @@ struct TouchingPair {
   int id = -1, line = -1;
   GlobalId a = -1, b = -1;  // nodes; b = -1: an obstacle
   Point normal{0, 0, 0};
-  bool isSimple = false;  // frictionless, at most one node on each side, with weights 1
+  bool isUnilateral = false;  // without friction, and separates
+  bool isSimple = false;      // at most one node on each side, with weights 1
+  std::vector<PairEnd> ends{};
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.id), each(self.line), each(self.a), each(self.b), each(self.normal), each(self.isSimple);
+    each(self.id), each(self.line), each(self.a), each(self.b), each(self.normal), each(self.isUnilateral), each(self.isSimple);
+    each(self.ends);
   }
 };
 
@@ -65,7 +69,9 @@ struct SideTraction {
 TouchingPair pairOf(const ContactRow& row) {
   TouchingPair own{row.pair.id, row.pair.line};
   own.normal = row.pair.normal;
-  own.isSimple = row.separates && !row.restrictsSliding() && row.pair.ends.size() <= 2;
+  own.ends = row.pair.ends;
+  own.isUnilateral = row.separates && !row.restrictsSliding();
+  own.isSimple = row.pair.ends.size() <= 2;
   for (const PairEnd& end : row.pair.ends) {
     (end.weight > 0 ? own.a : own.b) = end.node;
     own.isSimple = own.isSimple && std::abs(std::abs(end.weight) - 1) < kWeight;
@@ -74,6 +80,86 @@ TouchingPair pairOf(const ContactRow& row) {
   return own;
 }
 
+/// A node of side A.
+struct ContactNode {
+  GlobalId a = -1, b = -1;  // and the opposite node; -1: an obstacle
+  Point place{0, 0, 0}, normal{0, 0, 0};
+  double force = 0.0, gap = 0.0;  // compressive force; gap of the displacement
+};
+
+/// The nodes of one contact, on rank 0.
+class ContactNodes {
+ public:
+  using Sides = std::vector<const TouchingSide*>;
+  struct Pair {
+    TouchingPair pair;
+    PairResult result;
+  };
+  ContactNodes(int sideNodes, const Sides& a, const Sides& b) : sideNodes_(sideNodes), a_(a), b_(b) {}
+
+  /// Nodes of pairs of one node on each side. Returns what prevents it.
+  std::string fromPairs(const std::vector<Pair>& pairs) {
+    for (const Pair& pair : pairs) {
+      const bool closed = pair.result.state.closed();
+      add({pair.pair.a, pair.pair.b, {0, 0, 0}, pair.pair.normal, closed ? pair.result.force : 0.0, closed ? 0.0 : pair.result.gap});
+    }
+    return "";
+  }
+  /// Nodes of mortar pairs on sides that match: gaps from places and displacements, forces from the weights of the pairs.
+  std::string fromPlaces(const std::vector<Pair>& pairs) {
+    std::map<GlobalId, const Point*> placeOfB, movedOfB;
+    std::map<GlobalId, double> force;
+    for (const Pair& pair : pairs)
+      for (const PairEnd& end : pair.pair.ends) force[end.node] += pair.result.state.closed() ? end.weight * pair.result.force : 0.0;
+    for (const TouchingSide* side : b_)
+      for (int j = 0; j < sideNodes_; ++j) placeOfB[side->nodes[j]] = &side->places[j], movedOfB[side->nodes[j]] = &side->moved[j];
+    if (a_.empty()) return "no side of it faces another";
+    const Point normal = a_.front()->normal, along = pairFrame(normal, 3)[1];
+    std::vector<std::pair<double, GlobalId>> sorted;
+    for (const auto& [node, place] : placeOfB) sorted.push_back({dot(*place, along), node});
+    std::sort(sorted.begin(), sorted.end());
+    double largest = 0.0;
+    for (const auto& [node, value] : force) largest = std::max(largest, std::abs(value));
+    for (const TouchingSide* side : a_)
+      for (int j = 0; j < sideNodes_; ++j) {
+        if (indexOf_.count(side->nodes[j])) continue;
+        const double near = kOpposite * std::sqrt(side->size), at = dot(side->places[j], along);
+        auto candidate = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(at - near, GlobalId(-1)));
+        ContactNode node{side->nodes[j], -1, side->places[j], normal};
+        for (; candidate != sorted.end() && candidate->first <= at + near; ++candidate) {
+          const Point apart = minus(*placeOfB.at(candidate->second), side->places[j]);
+          if (norm(minus(apart, scaled(dot(apart, normal), normal))) > near) continue;
+          node.b = candidate->second;
+          node.gap = dot(apart, normal) - dot(minus(side->moved[j], *movedOfB.at(node.b)), normal);
+        }
+        if (node.b < 0) continue;  // faces nothing
+        node.force = force.count(node.a) ? force.at(node.a) : 0.0;
+        const double opposite = force.count(node.b) ? force.at(node.b) : 0.0;
+        if (std::abs(node.force + opposite) > kOpposite * largest) return "its sides do not match";
+        add(node);
+      }
+    return "";
+  }
+
+  const std::vector<ContactNode>& all() const { return nodes_; }
+  /// Place in all(); -1 for a node that faces nothing.
+  int indexOf(GlobalId a) const {
+    const auto found = indexOf_.find(a);
+    return found == indexOf_.end() ? -1 : found->second;
+  }
+
+ private:
+  void add(const ContactNode& node) {
+    indexOf_[node.a] = int(nodes_.size());
+    nodes_.push_back(node);
+  }
+
+  int sideNodes_;
+  const Sides &a_, &b_;
+  std::vector<ContactNode> nodes_;
+  std::map<GlobalId, int> indexOf_;
+};
+
 /// The tractions of one contact, on rank 0.
 class OneContact {
  public:
@@ -81,6 +167,7 @@ class OneContact {
 
   void add(const TouchingSide& side) { (side.onA ? a_ : b_).push_back(&side); }
   void add(const TouchingPair& pair, const PairResult& result) {
+    isUnilateral_ = isUnilateral_ && pair.isUnilateral;
     isSimple_ = isSimple_ && pair.isSimple;
     pairs_.push_back({pair, result});
   }
@@ -94,67 +181,67 @@ class OneContact {
   }
 
  private:
-  struct Pair {
-    TouchingPair pair;
-    PairResult result;
-  };
+  using Sides = ContactNodes::Sides;
   int sideNodes() const { return degree_ == 1 ? dimension_ : dimension_ * (dimension_ + 1) / 2; }
 
   /// Returns the reason if there are none.
   std::string findTractions(ContactTractions& all, std::vector<SideTraction>& tractions) {
     if (contact_.isSoft) return "it is softened";
-    if (!isSimple_) return "it has friction, is glued, or its sides do not match";
+    if (!isUnilateral_) return "it has friction, or does not separate";
     if (contact_.isInterpolated) return "its gap varies between the nodes";
-    std::map<GlobalId, int> pairOfNode;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) pairOfNode[pairs_[i].pair.a] = int(i);
-    std::vector<const TouchingSide*> pressed;
+    if (!isSimple_ && contact_.groupsB.empty()) return "conditions on an obstacle involve several nodes";
+    ContactNodes nodes(sideNodes(), a_, b_);
+    const std::string mismatch = isSimple_ ? nodes.fromPairs(pairs_) : nodes.fromPlaces(pairs_);
+    if (!mismatch.empty()) return mismatch;
+    Sides pressed, others;
     PressedSides sides;
-    sides.dimension = dimension_;
-    sides.degree = degree_;
-    for (const Pair& pair : pairs_) {
-      sides.places.push_back({0, 0, 0});
-      sides.forces.push_back(pair.result.state.closed() ? pair.result.force : 0.0);
-    }
-    for (const TouchingSide* side : a_) {
-      std::vector<int> nodes;
-      for (int j = 0; j < sideNodes(); ++j) {
-        const auto found = pairOfNode.find(side->nodes[j]);
-        if (found != pairOfNode.end()) nodes.push_back(found->second);
-      }
-      if (int(nodes.size()) < sideNodes()) continue;  // its nodes face nothing
-      for (std::size_t j = 0; j < nodes.size(); ++j) {
-        if (norm(minus(pairs_[nodes[j]].pair.normal, side->normal)) > kOpposite) return "it is curved";
-        sides.places[nodes[j]] = side->places[j];
-      }
-      sides.nodes.insert(sides.nodes.end(), nodes.begin(), nodes.end());
-      sides.sizes.push_back(side->size);
-      pressed.push_back(side);
-    }
-    std::map<std::vector<GlobalId>, const TouchingSide*> opposite;
-    for (const TouchingSide* side : b_) opposite[std::vector<GlobalId>(side->nodes.begin(), side->nodes.begin() + dimension_)] = side;
-    std::vector<const TouchingSide*> others;
-    for (const TouchingSide* side : pressed) {
-      if (contact_.groupsB.empty()) continue;
-      std::vector<GlobalId> key;
-      for (int j = 0; j < dimension_; ++j) key.push_back(pairs_[pairOfNode.at(side->nodes[j])].pair.b);
-      std::sort(key.begin(), key.end());
-      const auto found = opposite.find(key);
-      if (found == opposite.end()) return "its sides do not match";
-      if (norm(plus(found->second->normal, side->normal)) > kOpposite || std::abs(found->second->size / side->size - 1) > kOpposite)
-        return "its sides are not parallel";
-      others.push_back(found->second);
-    }
-    if (pressed.empty()) return "no side of it faces another";
+    const std::string problem = collect(nodes, sides, pressed, others);
+    if (!problem.empty()) return problem;
     const Pressures pressures = admissiblePressures(sides);
     if (!pressures.feasible) return "its nodal forces are not those of any pressure";
-    addTractions(pressed, others, pressures, pairOfNode, tractions);
-    addGap(sides, pressures, all);
-    addRests(pressures, all);
+    addTractions(nodes, pressed, others, pressures, tractions);
+    addGap(nodes, sides, pressures, all);
+    addRests(nodes, pressures, all);
     return "";
   }
 
-  void addTractions(const std::vector<const TouchingSide*>& pressed, const std::vector<const TouchingSide*>& others,
-                    const Pressures& pressures, const std::map<GlobalId, int>& pairOfNode, std::vector<SideTraction>& tractions) const {
+  std::string collect(const ContactNodes& nodes, PressedSides& sides, Sides& pressed, Sides& others) const {
+    sides.dimension = dimension_;
+    sides.degree = degree_;
+    for (const ContactNode& node : nodes.all()) {
+      sides.places.push_back(node.place);
+      sides.forces.push_back(node.force);
+    }
+    std::map<std::vector<GlobalId>, const TouchingSide*> opposite;
+    for (const TouchingSide* side : b_) opposite[std::vector<GlobalId>(side->nodes.begin(), side->nodes.begin() + dimension_)] = side;
+    for (const TouchingSide* side : a_) {
+      std::vector<int> own;
+      for (int j = 0; j < sideNodes(); ++j)
+        if (nodes.indexOf(side->nodes[j]) >= 0) own.push_back(nodes.indexOf(side->nodes[j]));
+      if (int(own.size()) < sideNodes()) continue;  // its nodes face nothing
+      for (std::size_t j = 0; j < own.size(); ++j) {
+        if (norm(minus(nodes.all()[own[j]].normal, side->normal)) > kOpposite) return "it is curved";
+        sides.places[own[j]] = side->places[j];
+      }
+      if (!contact_.groupsB.empty()) {
+        std::vector<GlobalId> key;
+        for (int j = 0; j < dimension_; ++j) key.push_back(nodes.all()[own[j]].b);
+        std::sort(key.begin(), key.end());
+        const auto found = opposite.find(key);
+        if (found == opposite.end()) return "its sides do not match";
+        if (norm(plus(found->second->normal, side->normal)) > kOpposite || std::abs(found->second->size / side->size - 1) > kOpposite)
+          return "its sides are not parallel";
+        others.push_back(found->second);
+      }
+      sides.nodes.insert(sides.nodes.end(), own.begin(), own.end());
+      sides.sizes.push_back(side->size);
+      pressed.push_back(side);
+    }
+    return pressed.empty() ? "no side of it faces another" : "";
+  }
+
+  void addTractions(const ContactNodes& nodes, const Sides& pressed, const Sides& others, const Pressures& pressures,
+                    std::vector<SideTraction>& tractions) const {
     for (std::size_t s = 0; s < pressed.size(); ++s) {
       SideTraction own{pressed[s]->rank, pressed[s]->number};
       for (int j = 0; j < sideNodes(); ++j) own.values[j] = scaled(-pressures.values(j, int(s)), pressed[s]->normal);
@@ -162,7 +249,7 @@ class OneContact {
       if (others.empty()) continue;
       SideTraction other{others[s]->rank, others[s]->number};
       for (int j = 0; j < sideNodes(); ++j) {
-        const GlobalId partner = pairs_[pairOfNode.at(pressed[s]->nodes[j])].pair.b;
+        const GlobalId partner = nodes.all()[nodes.indexOf(pressed[s]->nodes[j])].b;
         for (int i = 0; i < sideNodes(); ++i)
           if (others[s]->nodes[i] == partner) other.values[i] = scaled(-1.0, own.values[j]);
       }
@@ -170,36 +257,39 @@ class OneContact {
     }
   }
 
-  void addGap(const PressedSides& sides, const Pressures& pressures, ContactTractions& all) const {
-    Matrix gaps(sides.sideNodes(), sides.sides());
-    for (int s = 0; s < sides.sides(); ++s)
-      for (int j = 0; j < sides.sideNodes(); ++j) {
-        const PairResult& result = pairs_[sides.nodesOf(s)[j]].result;
-        gaps(j, s) = result.state.closed() ? 0.0 : result.gap;
-      }
-    const std::vector<double> heights = liftOfGaps(sides, gaps);
-    for (std::size_t i = 0; i < heights.size(); ++i)
-      if (heights[i] > 0.0) {
-        Point& value = all.lifts[pairs_[i].pair.a];
-        value = plus(value, scaled(-heights[i], pairs_[i].pair.normal));
-        all.liftWork += sides.forces[i] * heights[i];
-      }
-    for (int s = 0; s < sides.sides(); ++s)
-      for (int j = 0; j < sides.sideNodes(); ++j) gaps(j, s) += heights[sides.nodesOf(s)[j]];
-    all.gapWork += 2 * std::max(0.0, gapWork(sides, pressures.values, gaps));
+  /// Lifts side A out of side B: first its nodes, then the middles of its edges until the polynomial gap is nowhere negative.
+  void addGap(const ContactNodes& nodes, const PressedSides& sides, const Pressures& pressures, ContactTractions& all) const {
+    std::vector<double> heights;
+    for (const ContactNode& node : nodes.all()) heights.push_back(std::max(0.0, -node.gap));
+    const auto gapsOf = [&](const std::vector<double>& lifted) {
+      Matrix gaps(sides.sideNodes(), sides.sides());
+      for (int s = 0; s < sides.sides(); ++s)
+        for (int j = 0; j < sides.sideNodes(); ++j) gaps(j, s) = nodes.all()[sides.nodesOf(s)[j]].gap + lifted[sides.nodesOf(s)[j]];
+      return gaps;
+    };
+    const std::vector<double> more = liftOfGaps(sides, gapsOf(heights));
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      heights[i] += more[i];
+      if (!(heights[i] > 0.0)) continue;
+      const ContactNode& node = nodes.all()[i];
+      Point& value = all.lifts[node.a];
+      value = plus(value, scaled(-heights[i], node.normal));
+      all.liftWork += node.force * heights[i];
+    }
+    all.gapWork += 2 * std::max(0.0, gapWork(sides, pressures.values, gapsOf(heights)));
   }
 
-  void addRests(const Pressures& pressures, ContactTractions& all) const {
+  void addRests(const ContactNodes& nodes, const Pressures& pressures, ContactTractions& all) const {
     for (const std::vector<int>& cluster : pressures.clusters) {
       UnbalancedForces onA, onB;
       for (const int i : cluster) {
-        const Pair& pair = pairs_[i];
+        const ContactNode& node = nodes.all()[i];
         if (pressures.rest[i] == 0.0) continue;
-        onA.nodes.push_back(pair.pair.a);
-        onA.forces.push_back(scaled(-pressures.rest[i], pair.pair.normal));
-        if (pair.pair.b < 0) continue;
-        onB.nodes.push_back(pair.pair.b);
-        onB.forces.push_back(scaled(pressures.rest[i], pair.pair.normal));
+        onA.nodes.push_back(node.a);
+        onA.forces.push_back(scaled(-pressures.rest[i], node.normal));
+        if (node.b < 0) continue;
+        onB.nodes.push_back(node.b);
+        onB.forces.push_back(scaled(pressures.rest[i], node.normal));
       }
       if (!onA.nodes.empty()) all.rests.push_back(std::move(onA));
       if (!onB.nodes.empty()) all.rests.push_back(std::move(onB));
@@ -208,9 +298,9 @@ class OneContact {
 
   const TouchingSides& contact_;
   int dimension_, degree_;
-  bool isSimple_ = true;
-  std::vector<const TouchingSide*> a_, b_;
-  std::vector<Pair> pairs_;
+  bool isUnilateral_ = true, isSimple_ = true;
+  Sides a_, b_;
+  std::vector<ContactNodes::Pair> pairs_;
 };
 
 template <int D>
@@ -240,6 +330,7 @@ std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& sol
       }
       side.nodes[j] = mesh.globalNodes[at];
       side.places[j] = mesh.point(at);
+      for (int k = 0; k < D; ++k) side.moved[j][k] = mesh.total(solution.displacement[place.mesh], D * Eigen::Index(at) + k);
     }
     const Point first = minus(side.places[1], side.places[0]);
     Point normal = D == 2 ? Point{first[1], -first[0], 0} : cross(first, minus(side.places[2], side.places[0]));
