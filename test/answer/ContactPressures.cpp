@@ -216,6 +216,22 @@ TEUCHOS_UNIT_TEST(ContactPressures, KeepClustersSmall) {
   }
 }
 
+// A punch 1000 times stiffer than its base, elements of degree 2 refined at its ends: nodal forces of a prototype in Python
+// (finite elements with contact, sides closed edge by edge). No p >= 0 balances the forces of the sides at the ends; only these two sides
+// need clusters.
+TEUCHOS_UNIT_TEST(ContactPressures, KeepClustersAtTheEndsOfAStiffPunch) {
+  PressedSides sides = pressedLine({0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1}, 2);
+  const double vertices[] = {0.111582886554,  0.0368363885202, 0.0316793206162, 0.028674764018, 0.0283077189636,
+                             0.0286747640182, 0.0316793206159, 0.0368363885202, 0.111582886553};
+  const double middles[] = {0.0964810451856, 0.0653148699581, 0.0589816728876, 0.056295192771,
+                            0.0562951927716, 0.0589816728872, 0.0653148699578, 0.0964810451846};
+  std::copy(std::begin(vertices), std::end(vertices), sides.forces.begin());
+  std::copy(std::begin(middles), std::end(middles), sides.forces.begin() + std::size(vertices));
+  const Pressures pressures = valid(sides, success, out);
+  TEST_EQUALITY(pressures.clusters.size(), 2);
+  TEST_EQUALITY(largestCluster(pressures), 3);
+}
+
 // A force at the very end of a line or the corner of a square is not the resultant of any pressure.
 TEUCHOS_UNIT_TEST(ContactPressures, ReportResultantsThatNoPressureHas) {
   for (const int degree : {1, 2})
