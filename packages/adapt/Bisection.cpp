@@ -4,20 +4,15 @@
 #include <suture/adapt/SplitEdges.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/mesh/CellGeometry.hpp>
-#include <suture/mesh/ShapeFunctions.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace suture {
 
 namespace {
 
-constexpr double kStraight = 1e-12;          // distance of a mid-side node from the middle over the length of the edge
-constexpr double kSmallestPart = 1e-3;       // smallest Jacobian of an element with a rounded side over that of its straight simplex
-constexpr int kAlternatingProjections = 50;  // onto the shapes that meet at an edge
+constexpr double kStraight = 1e-12;  // distance of a mid-side node from the middle over the length of the edge
 
 /// Sides of elements that belong to groups or to round shapes, numbered from 1 (tags); 0 for all others.
 class SideTags {
@@ -56,7 +51,7 @@ class Refiner {
     placeVertices();
     cutElements();
     passOnGroups();
-    placeOnShapes();
+    placeOnShapes(mesh(), result_.fine.round, old_.nodes());
     result_.fine.twins = splits_.twins().pairs();
     return std::move(result_);
   }
@@ -140,7 +135,7 @@ class Refiner {
     if (origin.element >= 0) return;
     origin = {element_, at};
     if (!old_.bodyOfNode.empty()) mesh().bodyOfNode[node] = old_.bodyOfNode[old_.nodesOf(element_)[0]];
-    if (isSecond_ && !isStraight_) setPoint(node, inElement(at));
+    if (isSecond_ && !isStraight_) setPoint(node, pointAt(old_, origin));
   }
 
   /// Adds the vertices of a part, and notes its sides.
@@ -200,15 +195,6 @@ class Refiner {
     return true;
   }
 
-  Point inElement(const std::array<float, 3>& at) const {
-    ShapeJet jets[kMostCellNodes];
-    shapeJets(old_.cells[element_], {at[0], at[1], at[2]}, jets);
-    const Span<const int> nodes = old_.nodesOf(element_);
-    Point point{0, 0, 0};
-    for (std::size_t k = 0; k < nodes.size(); ++k) point = plus(point, scaled(jets[k].value, old_.point(nodes[k])));
-    return point;
-  }
-
   void passOnGroups() {
     for (const auto& [name, members] : old_.elementGroups) {
       std::vector<int>& own = mesh().elementGroups[name];
@@ -222,49 +208,6 @@ class Refiner {
     result_.fine.round.shapes = coarse_.round.shapes;
     for (const auto& [side, shape] : coarse_.round.sides)
       for (const Side& part : parts_[tags_.of(side)]) result_.fine.round.sides.emplace_back(part, shape);
-  }
-
-  /// Moves new nodes onto the round shapes of their sides; back where an element would become too flat.
-  void placeOnShapes() {
-    std::map<int, std::vector<int>> shapesOf;  // new node -> shapes
-    for (const auto& [side, shape] : result_.fine.round.sides)
-      for (const int node : mesh().nodesOf(side)) {
-        if (node < old_.nodes()) continue;
-        std::vector<int>& own = shapesOf[node];
-        if (std::find(own.begin(), own.end(), shape) == own.end()) own.push_back(shape);
-      }
-    if (shapesOf.empty()) return;
-    std::map<int, Point> before;
-    for (const auto& [node, shapes] : shapesOf) {
-      Point at = mesh().point(node);
-      before[node] = at;
-      for (int k = 0; k < (shapes.size() > 1 ? kAlternatingProjections : 1); ++k)
-        for (const int shape : shapes) at = coarse_.round.shapes[shape].project(at);
-      setPoint(node, at);
-    }
-    moveBack(before);
-  }
-
-  void moveBack(const std::map<int, Point>& before) {
-    std::vector<int> elements;
-    for (int e = 0; e < mesh().elements(); ++e) {
-      if (first_[result_.parent[e] + 1] - first_[result_.parent[e]] == 1 && !isSecond_) continue;  // whole elements have no new node
-      const Span<const int> nodes = mesh().nodesOf(e);
-      if (std::any_of(nodes.begin(), nodes.end(), [&](int node) { return node >= old_.nodes() && before.count(node) > 0; }))
-        elements.push_back(e);
-    }
-    for (bool changes = true; changes;) {
-      changes = false;
-      for (const int e : elements) {
-        if (smallestJacobian(mesh(), e) > kSmallestPart * std::abs(signedSize(mesh(), e))) continue;
-        for (const int node : mesh().nodesOf(e)) {
-          const auto found = before.find(node);
-          if (found == before.end() || mesh().point(node) == found->second) continue;
-          setPoint(node, found->second);
-          changes = true;
-        }
-      }
-    }
   }
 
   const RefinableMesh& coarse_;
@@ -308,15 +251,7 @@ Refinement bisect(const RefinableMesh& coarse, const std::vector<char>& marked) 
 Matrix Refinement::interpolated(const Mesh& coarse, const Matrix& values) const {
   Matrix result(coarse.nodes() + static_cast<Eigen::Index>(origins.size()), values.cols());
   result.topRows(coarse.nodes()) = values;
-  ShapeJet jets[kMostCellNodes];
-  for (std::size_t i = 0; i < origins.size(); ++i) {
-    const auto row = coarse.nodes() + static_cast<Eigen::Index>(i);
-    const NodeOrigin& origin = origins[i];
-    shapeJets(coarse.cells[origin.element], {origin.at[0], origin.at[1], origin.at[2]}, jets);
-    result.row(row).setZero();
-    const Span<const int> nodes = coarse.nodesOf(origin.element);
-    for (std::size_t k = 0; k < nodes.size(); ++k) result.row(row) += jets[k].value * values.row(nodes[k]);
-  }
+  result.bottomRows(static_cast<Eigen::Index>(origins.size())) = valuesAt(coarse, origins, values);
   return result;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <suture/adapt/ContactTwins.hpp>
+#include <suture/adapt/NodeOrigin.hpp>
 #include <suture/adapt/RoundShapes.hpp>
 #include <suture/mesh/Mesh.hpp>
 
-#include <array>
 #include <vector>
 
 namespace suture {
@@ -16,23 +16,11 @@ struct RefinableMesh {
   RoundSides round;                  ///< curved boundary that new nodes are placed on
 };
 
-/// How new nodes on the boundary are placed. Nodes inside follow the map of their element in both cases.
-enum class Boundary {
-  Round,     ///< on circles, spheres and cylinders where side groups have these shapes (findRoundSides()); else as Polygonal
-  Polygonal  ///< on the sides of the coarse mesh: straight ones, or the parabolas of curved elements; meshes of all levels are nested
-};
-
 /// Prepares a mesh for bisection: finds a refinement edge for each element, its longest; between edges of equal length (to 1e-9) the place
 /// decides, so that the result does not depend on the numbering. Edges opposite across a contact count as one. Local (rank 0).
 /// \param mesh  with bodies (assignBodies()), of simplices (simplicialMesh()), without coatings \param twins  contactTwins(); pairs of
 /// mid-side nodes are ignored \throws InternalError  other cells, coatings
 RefinableMesh refinable(Mesh mesh, std::vector<NodePairs> twins, Boundary boundary = Boundary::Round);
-
-/// Place of a new node in the coarse mesh: its values are those of the element's shape functions there.
-struct NodeOrigin {
-  int element = -1;
-  std::array<float, 3> at{};  ///< reference coordinates (ShapeFunctions.hpp), exact in single precision
-};
 
 /// One level of refinement. Nodes of the coarse mesh keep their numbers and places; parts of an element follow each other, in the order of
 /// the coarse elements.

@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kEqual = 1e-4;
+constexpr double kEqualErrors = 1e-4;
 
 void check(const std::vector<double>& squares, double theta) {
   if (!(theta > 0 && theta <= 1)) throw InternalError("marking with theta = " + std::to_string(theta) + ", expected (0, 1]");
@@ -32,7 +32,7 @@ std::vector<char> markElements(const std::vector<double>& squares, double theta)
   double sum = 0.0;
   std::size_t last = 0;
   while (last + 1 < sorted.size() && sum + sorted[last] < wanted) sum += sorted[last++];
-  const double least = (1 - kEqual) * sorted[last];
+  const double least = (1 - kEqualErrors) * sorted[last];
   for (std::size_t e = 0; e < squares.size(); ++e) marked[e] = squares[e] > 0 && squares[e] >= least;
   return marked;
 }

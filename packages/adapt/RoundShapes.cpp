@@ -1,21 +1,25 @@
 #include <suture/adapt/RoundShapes.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Surface.hpp>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace suture {
 
 namespace {
 
-constexpr double kFit = 1e-6;                                     // distance from the shape over its radius
+constexpr double kFit = 1e-6;  // distance from the shape over its radius, or over the extent of the nodes
 constexpr double kLargestTurn = 15.001 * 3.14159265358979 / 180;  // between neighbouring sides of first order
 constexpr double kFlattest = 1e3;                                 // radius over the extent of the nodes
 constexpr int kNewtonSteps = 20;
+constexpr double kSmallestPart = 1e-2;       // smallest Jacobian of an element with a moved node over the largest
+constexpr int kAlternatingProjections = 50;  // onto the shapes that meet at an edge
 
 struct Cloud {
   std::vector<Point> points;
@@ -34,7 +38,7 @@ Cloud cloudOf(const Surface& surface, const std::set<int>& nodes) {
 bool fits(const RoundShape& shape, const Cloud& cloud) {
   if (!(shape.radius > 0) || shape.radius > kFlattest * cloud.extent) return false;
   return std::all_of(cloud.points.begin(), cloud.points.end(),
-                     [&](const Point& p) { return norm(minus(p, shape.project(p))) <= kFit * shape.radius; });
+                     [&](const Point& p) { return norm(minus(p, shape.project(p))) <= kFit * std::min(shape.radius, cloud.extent); });
 }
 
 /// Circle or sphere by |x|^2 - 2 c.x = r^2 - c^2, linear in c and the right-hand side, with coordinates relative to the extent.
@@ -142,6 +146,64 @@ std::optional<RoundShape> shapeOf(const Surface& surface, const std::vector<int>
 }
 
 }  // namespace
+
+namespace {
+
+/// Elements with one of these nodes.
+std::vector<int> elementsWith(const Mesh& mesh, const std::map<int, Point>& nodes) {
+  std::vector<char> among(static_cast<std::size_t>(mesh.nodes()), 0);
+  for (const auto& entry : nodes) among[static_cast<std::size_t>(entry.first)] = 1;
+  std::vector<int> elements;
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const Span<const int> own = mesh.nodesOf(e);
+    if (std::any_of(own.begin(), own.end(), [&](int node) { return among[static_cast<std::size_t>(node)] != 0; })) elements.push_back(e);
+  }
+  return elements;
+}
+
+void setPoint(Mesh& mesh, int node, const Point& at) {
+  for (int k = 0; k < mesh.dimension; ++k) mesh.coordinates[static_cast<std::size_t>(node) * mesh.dimension + k] = at[k];
+}
+
+/// Moves nodes back until no element is flat.
+void moveBack(Mesh& mesh, const std::map<int, Point>& before) {
+  const double whole = mesh.dimension == 2 ? 2 : 6;  // determinant over size
+  const std::vector<int> elements = elementsWith(mesh, before);
+  for (bool changes = true; changes;) {
+    changes = false;
+    for (const int e : elements) {
+      if (smallestJacobian(mesh, e) > kSmallestPart * whole * std::abs(signedSize(mesh, e))) continue;
+      for (const int node : mesh.nodesOf(e)) {
+        const auto found = before.find(node);
+        if (found == before.end() || mesh.point(node) == found->second) continue;
+        setPoint(mesh, node, found->second);
+        changes = true;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void placeOnShapes(Mesh& mesh, const RoundSides& round, int first) {
+  std::map<int, std::vector<int>> shapesOf;  // new node -> shapes
+  for (const auto& [side, shape] : round.sides)
+    for (const int node : mesh.nodesOf(side)) {
+      if (node < first) continue;
+      std::vector<int>& own = shapesOf[node];
+      if (std::find(own.begin(), own.end(), shape) == own.end()) own.push_back(shape);
+    }
+  if (shapesOf.empty()) return;
+  std::map<int, Point> before;
+  for (const auto& [node, shapes] : shapesOf) {
+    Point at = mesh.point(node);
+    before[node] = at;
+    for (int k = 0; k < (shapes.size() > 1 ? kAlternatingProjections : 1); ++k)
+      for (const int shape : shapes) at = round.shapes[static_cast<std::size_t>(shape)].project(at);
+    setPoint(mesh, node, at);
+  }
+  moveBack(mesh, before);
+}
 
 Point RoundShape::project(const Point& point) const {
   Point away = minus(point, centre);

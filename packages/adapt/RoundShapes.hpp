@@ -23,8 +23,18 @@ struct RoundSides {
   std::vector<std::pair<Side, int>> sides;  ///< side, number of its shape
 };
 
+/// How new nodes on the boundary are placed. Nodes inside follow the map of their element in both cases.
+enum class Boundary {
+  Round,     ///< on circles, spheres and cylinders where side groups have these shapes (findRoundSides()); else as Polygonal
+  Polygonal  ///< on the sides of the coarse mesh: straight ones, or the parabolas of curved elements; meshes of all levels are nested
+};
+
 /// Finds the connected parts of side groups whose nodes all lie on a circle, sphere or cylinder (to 1e-6 of its radius). Sides of first
 /// order must turn by at most 15 degrees from one to the next: coarser polygons may be meant as polygons. Local (rank 0).
 RoundSides findRoundSides(const Mesh& mesh);
+
+/// Moves the new nodes of round sides onto their shapes, except where an element would become flat or inverted; a node of several shapes
+/// goes to their intersection. Local (rank 0). \param first  number of the first new node
+void placeOnShapes(Mesh& mesh, const RoundSides& round, int first);
 
 }  // namespace suture

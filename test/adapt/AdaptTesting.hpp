@@ -1,10 +1,12 @@
 #pragma once
 #include <suture/adapt/Bisection.hpp>
+#include <suture/adapt/SimplicialMesh.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/mesh/SideGeometry.hpp>
+#include <suture/pairs/MatchingPairs.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,8 @@
 namespace adapttesting {
 
 using namespace suture;
+
+constexpr double pi = 3.14159265358979323846;
 
 inline Box box(const std::string& name, Cell cell, int n, double y0 = 0, double y1 = 1) {
   Box made;
@@ -34,18 +38,6 @@ inline void move(Mesh& mesh, const std::function<Point(Point)>& to) {
   for (int node = 0; node < mesh.nodes(); ++node) {
     const Point p = to(mesh.point(node));
     for (int k = 0; k < mesh.dimension; ++k) mesh.coordinates[std::size_t(node) * mesh.dimension + k] = p[k];
-  }
-}
-
-/// Moves mid-side nodes to the middles of their edges.
-inline void straighten(Mesh& mesh) {
-  for (int e = 0; e < mesh.elements(); ++e) {
-    const CellInfo& cell = cellInfo(mesh.cells[e]);
-    const Span<const int> n = mesh.nodesOf(e);
-    for (std::size_t k = 0; cell.order == 2 && k < cell.edges.size(); ++k) {
-      const Point middle = scaled(0.5, plus(mesh.point(n[cell.edges[k][0]]), mesh.point(n[cell.edges[k][1]])));
-      for (int d = 0; d < mesh.dimension; ++d) mesh.coordinates[std::size_t(n[cell.vertices + k]) * mesh.dimension + d] = middle[d];
-    }
   }
 }
 
@@ -203,6 +195,29 @@ inline double largestBow(const Mesh& mesh) {
     }
   }
   return bow;
+}
+
+/// The contact of two boxes on top of each other.
+inline const std::vector<Contact>& contact() {
+  static const std::vector<Contact> all{Contact::between("lower_top", "upper_bottom")};
+  return all;
+}
+
+/// Number of nodes of the lower face of the contact without a partner above. \throws InputError  if the faces do not match
+inline int unmatched(const Mesh& mesh, const Contact& between = contact().front()) {
+  Problems problems;
+  const std::vector<ContactSurface> surfaces = contactsOn(mesh, {between}, problems);
+  problems.throwIfAny();
+  const std::optional<PairedSurface> pairs = matchingPairs(mesh, surfaces.front(), &problems);
+  problems.throwIfAny();
+  return pairs ? static_cast<int>(surfaces.front().a.surface->nodes().size() - pairs->pairs.size()) : -1;
+}
+
+/// Moves the second body away from the first, by a gap that varies along the contact.
+inline void openGap(Mesh& mesh) {
+  const int up = mesh.dimension - 1;
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (mesh.bodyOfNode[node] == 1) mesh.coordinates[std::size_t(node) * mesh.dimension + up] += 0.05 + 0.04 * mesh.point(node)[0];
 }
 
 }  // namespace adapttesting
