@@ -1,9 +1,12 @@
 #include <suture/adapt/ContactTwins.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/Surface.hpp>
 #include <suture/pairs/MatchingPairs.hpp>
+
+#include <Teuchos_ParameterList.hpp>
 
 namespace suture {
 
@@ -33,7 +36,7 @@ NodePairs coincidentNodes(const Surface& a, const Surface& b) {
 }
 
 NodePairs twinsOf(const Mesh& mesh, Contact contact) {
-  if (contact.obstacle) return {};
+  if (contact.obstacle || contact.groupsB.empty()) return {};
   contact.overclosure.reset();  // its springs are not part of the mesh here
   Problems problems;
   const std::vector<ContactSurface> surfaces = contactsOn(mesh, {contact}, problems);
@@ -53,6 +56,21 @@ std::vector<NodePairs> contactTwins(const Mesh& mesh, const std::vector<Contact>
   std::vector<NodePairs> twins;
   for (const Contact& contact : contacts) twins.push_back(twinsOf(mesh, contact));
   return twins;
+}
+
+std::vector<NodePairs> contactTwins(const Mesh& mesh, const Parameters& contact) {
+  std::vector<Contact> contacts;
+  for (const std::string& name : sublistNames(contact)) {
+    const Parameters& list = contact.sublist(name);
+    Contact between;
+    between.name = name;
+    between.path = pathOf(list);
+    between.groupsA = groupNames(list, "Side A");
+    between.groupsB = groupNames(list, "Side B");
+    if (list.isParameter("Tolerance")) between.tolerance = list.get<double>("Tolerance");
+    contacts.push_back(between);
+  }
+  return contactTwins(mesh, contacts);
 }
 
 }  // namespace suture

@@ -14,5 +14,7 @@ using NodePairs = std::vector<std::pair<int, int>>;
 /// the nodes that coincide (to 1e-6 of the distance to the nearest adjacent node). Empty for obstacles and for faces with a problem, which
 /// contactsOn() reports. Local (rank 0). \param mesh  without coatings \throws InternalError  coatings
 std::vector<NodePairs> contactTwins(const Mesh& mesh, const std::vector<Contact>& contacts);
+/// The same for the scene's list `Contact`, of which only the side groups and the tolerance are read. Local (rank 0).
+std::vector<NodePairs> contactTwins(const Mesh& mesh, const Parameters& contact);
 
 }  // namespace suture

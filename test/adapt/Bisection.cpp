@@ -121,6 +121,7 @@ TEUCHOS_UNIT_TEST(Bisection, TowardsACornerKeepsBodiesGroupsShapesAndMatchingNod
       TEST_ASSERT(facesCoincide(level.mesh));
       if (cell != Cell::Tetrahedron10) TEST_EQUALITY(unmatched(level.mesh), 0);  // its faces have no matching pairs
     }
+    if (mesh.dimension == 2) TEST_COMPARE(smallestAngle(level.mesh), >=, smallestAngle(mesh) / 2);
     out << cellInfo(cell).name << ": " << level.mesh.elements() << " elements, shape " << worst << "\n";
   }
 }
