@@ -50,6 +50,7 @@ class Refiner {
   Refinement refine() {
     placeVertices();
     cutElements();
+    checkNodes();
     passOnGroups();
     placeOnShapes(mesh(), result_.fine.round, old_.nodes());
     result_.fine.twins = splits_.twins().pairs();
@@ -193,6 +194,12 @@ class Refiner {
       if (norm(off) > kStraight * norm(minus(b, a))) return false;
     }
     return true;
+  }
+
+  /// An edge of a contact face that is split on one side only leaves a node that no element has.
+  void checkNodes() const {
+    for (const NodeOrigin& origin : result_.origins)
+      if (origin.element < 0) throw InternalError("bisection with opposite nodes that are not those of the levels before");
   }
 
   void passOnGroups() {

@@ -12,7 +12,7 @@ namespace suture {
 struct RefinableMesh {
   Mesh mesh;                         ///< the refinement edge of each element is its first, from vertex 0 to vertex 1
   std::vector<unsigned char> marks;  ///< tetrahedra: marked edges of their faces (MarkedSimplex); empty in 2D
-  std::vector<NodePairs> twins;      ///< opposite nodes of each contact: their edges are bisected together
+  std::vector<NodePairs> twins;      ///< opposite vertices of each contact, carried on by bisect(): their edges are bisected together
   RoundSides round;                  ///< curved boundary that new nodes are placed on
 };
 
