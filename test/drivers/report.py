@@ -268,7 +268,7 @@ for strict in (True, False):
 
 # An adaptive run: its picture, a sentence and a table of its meshes.
 MESHES = [(1000, 0.2, True, 0.5), (2000, 0.1, False, 1.0), (4000, 0.05, True, 2.0), (8000, 0.025, True, 4.0), (16000, 0.0125, True, 8.0)]
-adaptive = {"requested": 0.013, "quantity": "energy", "reached": 0.0125, "strict": True, "limit": "", "uniform": {"order": 2, "unknowns": 163270, "seconds": 9000},
+adaptive = {"requested": 0.013, "quantity": "Energy", "reached": 0.0125, "strict": True, "limit": "", "uniform": {"order": 2, "unknowns": 163270, "seconds": 9000},
             "levels": [{"unknowns": n, "elements": n // 4, "error": error, "strict": strict, "seconds": seconds, "iterations": 17, "outer": 2, "energy": -400.5,
                         "refinement": "bisection" if n > 1000 else "start"} for n, error, strict, seconds in MESHES]}
 
@@ -312,13 +312,23 @@ check("adaptive: rate", (corners[0][1] / corners[1][1]) / (corners[1][0] / corne
 check("adaptive: a bound is never rounded down", [value for value in (0.00871, 0.0087, 0.1, 0.99999, 1e-7, 0.0123456, 3.0) for digits in (1, 2, 3)
                                                   if not value * (1 - 1e-9) <= rounded_up(value, digits) <= value * (1 + 2 * 10.0**(1 - digits))], [])
 for name, changes, expected in (
-        ("stopped", {"limit": "unknowns", "requested": 0.001, "uniform": None}, "The requested 0.1 % was not reached: the largest number of unknowns"),
+        ("stopped", {"limit": "unknowns", "requested": 0.001, "uniform": None}, "The requested 0.1 % was not reached: the run ended at its largest number of unknowns."),
         ("of a force", {"quantity": "force of touch", "strict": False}, "The error of \u2018force of touch\u2019 is about 1.2 % (an estimate)"),
         ("one mesh", {"levels": adaptive["levels"][:1], "reached": 0.2}, "at most 20 %, reached with 1,000 unknowns on the first mesh, in 0.5 s."),
         ("error unknown", {"levels": [{"unknowns": 10, "error": None}], "reached": None}, "The energy error is not known.")):
     _, words = adapted(f"adaptive, {name}", **changes)
     check(f"adaptive, {name}: sentence", words, lambda found, expected=expected: expected in found)
 check("adaptive: the picture", (noted / "accuracy.png").is_file(), True)
+
+# A valid solution with a larger error than requested, exit code 4: its answers are given, under a banner that states it.
+summary["exit_code"] = 4
+tree, words = adapted("too coarse", limit="levels", requested=0.001)
+banner = tree.find(".//div[@id='banner']")
+check("too coarse: banner", (banner.get("class"), "accuracy was not reached" in "".join(banner.itertext()), words in "".join(banner.itertext())),
+      ("verdict coarse", True, True))
+check("too coarse: the answers are given", ("largest von Mises stress" in said(tree, "answers"), tree.find(".//section[@id='state']")), (True, None))
+check("too coarse: stated in the pictures", "ACCURACY NOT\u00a0REACHED" in accuracy_figure(RunFolder(noted))._suptitle.get_text(), True)
+summary["exit_code"] = 0
 del summary["accuracy"]
 (noted / "summary.json").write_text(json.dumps(summary))
 check("an earlier adaptive run: suture_plot", plot(noted)[0], 0)

@@ -15,6 +15,11 @@ def has_levels(run):
     return bool((run.summary.get("accuracy") or {}).get("levels"))
 
 
+def is_energy(accuracy):
+    """True if the error of the energy norm was requested."""
+    return accuracy.get("quantity", "Energy").lower() == "energy"
+
+
 class Levels:
     """The meshes of an adaptive run, one value per mesh. `spent`: seconds until the mesh is done, those of the earlier meshes included."""
 
@@ -24,7 +29,7 @@ class Levels:
                                                    for key in ("unknowns", "error", "seconds"))
         self.strict = np.array([bool(level.get("strict")) for level in levels])
         self.spent = np.cumsum(np.nan_to_num(self.seconds))
-        self.of_energy = accuracy.get("quantity", "energy") == "energy"
+        self.of_energy = is_energy(accuracy)
         self.requested = accuracy.get("requested") if self.of_energy else None
         uniform = accuracy.get("uniform") or {}
         self.order, self.uniform_unknowns, self.uniform_seconds = (uniform.get(key) for key in ("order", "unknowns", "seconds"))

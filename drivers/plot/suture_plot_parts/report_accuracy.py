@@ -1,8 +1,9 @@
 """The accuracy of a run: bound of the energy error in a sentence and as rows, the meshes of an adaptive run as a table."""
-from .accuracy import ORDERS, Levels, has_levels, per_cent, rough, rounded_up, seconds_in_words
+from .accuracy import ORDERS, Levels, has_levels, is_energy, per_cent, rough, rounded_up, seconds_in_words
 from .html import esc, number, table
 
-LIMITS = {"unknowns": "the largest number of unknowns", "memory": "the memory", "time": "the time", "levels": "the largest number of meshes"}
+LIMITS = {"unknowns": "the run ended at its largest number of unknowns", "memory": "the next mesh does not fit into the memory",
+          "time": "the run ended at its time limit", "levels": "the run ended at its largest number of meshes", "mesh": "the mesh cannot be refined further"}
 PARTS = (("total", "total, energy norm"), ("discretisation", "\u2003of it: mesh"), ("algebraic", "\u2003of it: solver"),
          ("oscillation", "\u2003of it: oscillation of loads"))
 
@@ -41,8 +42,7 @@ def bound_rows(run):
 
 
 def quantity_in_words(accuracy):
-    quantity = accuracy.get("quantity", "energy")
-    return "energy error" if quantity == "energy" else f"error of \u2018{quantity}\u2019"
+    return "energy error" if is_energy(accuracy) else f"error of \u2018{accuracy['quantity']}\u2019"
 
 
 def accuracy_sentence(run):
@@ -58,7 +58,7 @@ def accuracy_sentence(run):
         said = (f"The {words} is {size}, reached with {levels.unknowns[-1]:,.0f} unknowns on {meshes}, in {seconds_in_words(levels.spent[-1])}"
                 f"{' altogether' if len(levels.unknowns) > 1 else ''}.")
     if limit and requested is not None:
-        said += f" The requested {per_cent(requested, 3)} was not reached: {LIMITS.get(limit, limit)} ended the run."
+        said += f" The requested {per_cent(requested, 3)} was not reached: {LIMITS.get(limit, f'limit: {limit}')}."
     if levels.uniform_unknowns and levels.uniform_seconds:
         order = f" of {ORDERS[levels.order]} order" if levels.order in ORDERS else ""
         said += (f" A uniform mesh{order} would need about {rough(levels.uniform_unknowns)} unknowns and "

@@ -38,7 +38,10 @@ def banner(run):
     """The verdict in a sentence; for a failed run, why it has no answers."""
     code = run.summary["exit_code"]
     title, words = sentence(run.verdict).rstrip("."), []
-    if run.good:
+    if run.coarse:
+        title = "Valid, but the requested accuracy was not reached"
+        words += [esc(accuracy_sentence(run)), checked(run), f"Exit code {number(code)} ({EXIT[code]})."]
+    elif run.good:
         words.append(checked(run))
     else:
         title += ": this run has no valid result"
@@ -48,7 +51,7 @@ def banner(run):
                      "as a result.")
     if run.step is not None:
         words.append(f"Plots of fields show {esc(run.words_of_step)}; the numbers are from the last step.")
-    return f'<div class="verdict{"" if run.good else " bad"}" id="banner"><strong>{esc(title)}</strong>{" ".join(words)}</div>\n'
+    return f'<div class="verdict{" coarse" if run.coarse else "" if run.good else " bad"}" id="banner"><strong>{esc(title)}</strong>{" ".join(words)}</div>\n'
 
 
 def checked(run):
