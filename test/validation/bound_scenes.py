@@ -3,7 +3,7 @@ loads that end at corners, mixed supports. The sides are straight, so that a fin
 import math
 
 from friction_builder import Law, Scene, fill
-from friction_grids import CELLS as ORDERS
+from friction_grids import CELLS as CELLS_OF
 from friction_grids import straight
 
 CELLS = ["Triangle3"] * 9 + ["Triangle6"] * 9 + ["Quadrilateral4", "Quadrilateral9"]
@@ -51,7 +51,7 @@ class BoundScene(Scene):
         super().__init__(seed, 2)
         self.refine, self.regions, self.flaws = refine, {}, []
         self.cell = self.random.choice(CELLS)
-        self.order = ORDERS[self.cell][1]
+        self.order = CELLS_OF[self.cell][1]
         self.model = self.random.choice(["Plane Strain", "Plane Strain", "Plane Stress"])
         self.load *= 0.1  # no side slides by an element of the finer mesh
         self.density = self.random.uniform(4, 9) * (0.6 if self.order == 2 else 1.0)  # cells per length
@@ -74,6 +74,15 @@ class BoundScene(Scene):
                 own = [(kind, group, nodes) for kind, of, nodes in self.mesh.elements[first:] if of == body]
                 self.mesh.elements += own
             first = len(self.mesh.elements)
+        self.straighten()
+
+    def straighten(self):
+        """Puts the middle nodes of edges and elements halfway between their vertices: diagonals of a skewed grid are curves."""
+        more = {number: middles for number, _, middles in CELLS_OF.values()}
+        for kind, _, nodes in self.mesh.elements:
+            vertices = len(nodes) - len(more.get(kind, []))
+            for node, of in zip(nodes[vertices:], more.get(kind, [])):
+                self.mesh.nodes[node - 1] = tuple(sum(self.mesh.nodes[nodes[k] - 1][c] for k in of) / len(of) for c in range(3))
 
     def volumes(self):
         """Elements of the scene as it is with refine = 1, so that the number of subdomains is the same; each of a region is listed twice."""
