@@ -175,7 +175,7 @@ def accuracy_caption(run):
     if levels.uniform_unknowns or levels.uniform_seconds:
         words += " Dashed: the cost of refining the first mesh uniformly, predicted and not computed."
     if levels.rate() is not None:
-        words += f" Triangle: the error falls as the number of unknowns to the power \u2212{levels.rate():.2g}."
+        words += f" From the second mesh on, the error falls as the number of unknowns to the power \u2212{levels.rate():.2g}."
     if not levels.of_energy:
         words += f" The request was for '{run.summary['accuracy']['quantity']}', which has another error."
     return words

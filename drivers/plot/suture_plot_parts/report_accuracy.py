@@ -1,4 +1,6 @@
 """The accuracy of a run: bound of the energy error in a sentence and as rows, the meshes of an adaptive run as a table."""
+import math
+
 from .accuracy import ORDERS, Levels, has_levels, is_energy, per_cent, rough, rounded_up, seconds_in_words
 from .html import esc, number, table
 
@@ -15,6 +17,8 @@ def bound_of(run):
 def at_most(bound):
     """The relative error of a bound in words."""
     relative = bound["relative"]
+    if relative < 1e-6:
+        return "below 0.0001 %"  # round-off
     return f"at most {per_cent(rounded_up(relative))}" if bound.get("strict") else f"about {per_cent(relative)}"
 
 
@@ -37,7 +41,11 @@ def bound_rows(run):
              number(bound["relative"], form=".3g") if key == "total" and bound.get("relative") is not None else "")
             for key, words in PARTS if bound.get(key) is not None]
     if bound.get("strict") and bound.get("energy_lower") is not None and bound.get("energy_upper") is not None:
-        rows.append((esc("exact energy lies between"), f"{number(bound['energy_lower'], form='.6g')} and {number(bound['energy_upper'], form='.6g')}", ""))
+        lower, upper = bound["energy_lower"], bound["energy_upper"]
+        # So many digits that the two differ.
+        apart = (upper - lower) / max(abs(lower), abs(upper)) if upper > lower else 1.0
+        form = f".{min(max(6, 2 - math.floor(math.log10(apart))), 15)}g"
+        rows.append((esc("exact energy lies between"), f"{number(lower, form=form)} and {number(upper, form=form)}", ""))
     return rows
 
 
