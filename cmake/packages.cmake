@@ -1,6 +1,6 @@
 # The packages in the order of the data flow. A package may include only packages to its left: each is a separate target whose include
 # path has only its predecessors, so that a wrong #include does not compile. All packages together make one libsuture.so.
-set(SUTURE_ALL_PACKAGES base algebra mesh reader pairs constraints partition elasticity subdomain search motion interface answer precond solver condensed monolithic report simulation)
+set(SUTURE_ALL_PACKAGES base algebra mesh reader pairs constraints partition elasticity subdomain search motion interface answer precond solver condensed monolithic adapt report simulation)
 set(SUTURE_LAST_PACKAGE "" CACHE STRING "The last package to build, for work on a leading part of the list; empty: all")
 # Not cached: a build folder of an older version must not keep the old list.
 set(SUTURE_PACKAGES ${SUTURE_ALL_PACKAGES})

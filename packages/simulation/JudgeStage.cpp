@@ -24,7 +24,7 @@ constexpr std::size_t kNotes = 3;  // groups of contacts with undetermined force
 }  // namespace
 
 bool wantsErrorEstimate(const Parameters& settings) {
-  return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings);
+  return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings) || AccuracyRequest::of(settings);
 }
 
 bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("Output").get<bool>("Nodal Stresses"); }
