@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/answer/OuterFigures.hpp>
 #include <suture/answer/PairResult.hpp>
+#include <suture/answer/bound/ErrorBound.hpp>
 #include <suture/answer/values/Extremes.hpp>
 #include <suture/answer/values/RigidGroupMotions.hpp>
 #include <suture/answer/values/SafetyFactors.hpp>
@@ -47,6 +48,7 @@ struct Solution : OuterFigures {
   std::optional<double> sinceTime{};            ///< that time, if `since` is known; the same on all ranks
   std::vector<RigidGroupMotion> rigidGroups{};  ///< motions of the rigid groups, on rank 0
   std::optional<double> meshError;  ///< averagedEstimate(): relative discretisation error in the energy norm, if no better estimate exists
+  std::optional<ErrorBound> bound;  ///< bound of the error in the energy norm, if requested
   std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of this rank's subdomains that have their own physics, by place
   std::vector<Matrix> nodalStresses;  ///< by subdomain: see nodalStresses(); empty if not requested
   std::vector<PairResult> pairs;      ///< on rank 0: all, by id

@@ -1,4 +1,5 @@
 #include <suture/base/RigidValues.hpp>
+#include <suture/constraints/BoundaryParts.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/BuildRigidGroups.hpp>
 #include <suture/constraints/Conditions.hpp>
@@ -204,6 +205,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   buildRigidGroups(mesh, conditions, constraints, problems);
   for (const Condition& condition : conditions) constraints.conditions.push_back(condition.name);
   constraints.springs = springsOf(mesh, conditions);
+  constraints.parts = boundaryParts(mesh, conditions, contacts);
   holdCoatings(mesh, constraints);
   const RigidGroupNodes rigid(constraints.rigidGroups, mesh.dimension);
   std::vector<PairedSurface> paired;

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/constraints/BoundaryParts.hpp>
 #include <suture/constraints/RigidGroup.hpp>
 #include <suture/pairs/ContactLaw.hpp>
 #include <suture/pairs/ContactPair.hpp>
@@ -74,6 +75,7 @@ struct Constraints {
   ContactLaws laws{};              ///< laws of the contact lines, set by the scene (simulation/Scene); empty: frictionless
   std::vector<std::string> notes;  ///< sentences for the user about choices made
   std::vector<RigidGroup> rigidGroups{};
+  BoundaryParts parts{};
 };
 
 /// Sets the laws of the constraints. Pairs of a law that ignores the gap have none; pairs of a law that restricts sliding get the

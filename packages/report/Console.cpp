@@ -112,6 +112,20 @@ std::string estimatedErrors(const Solution& answer) {
   return line + "\n";
 }
 
+// "   error in the energy norm: at most 1.2e-02 (0.9 %), proved for the polygon of the mesh"
+std::string boundText(const Solution& answer, int dimension) {
+  if (!answer.bound) return "";
+  const ErrorBound& bound = *answer.bound;
+  std::string reasons;
+  for (const std::string& reason : bound.reasons) reasons += (reasons.empty() ? "" : "; ") + reason;
+  if (!bound.exists) return "   error in the energy norm: no bound, because " + reasons + "\n";
+  const std::string value = format("%.2e (%.2g %%)", bound.total, 100 * bound.relative());
+  if (bound.strict)
+    return "   error in the energy norm: at most " + value + ", proved for the " + (dimension == 2 ? "polygon" : "polyhedron") +
+           " of the mesh\n";
+  return "   error in the energy norm, estimated: " + value + "; no bound, because " + reasons + "\n";
+}
+
 // "   accuracy: error of the energy norm 0.82 % (bound), requested 1 %; 2 meshes"
 std::string accuracy(const Run& run) {
   if (!run.accuracy) return "";
@@ -187,7 +201,8 @@ std::string advice(const std::string& indent) { return indent + "doc/convergence
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
           << verdict(run.monitor, run.solution.verification) << meshError(run.solution) << whatToTry(run) << pathWork(run)
-          << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << accuracy(run) << extremesText(run, figures.dimension);
+          << exactErrors(run.solution.errors) << estimatedErrors(run.solution) + boundText(run.solution, run.model.dimension)
+          << accuracy(run) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB per rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;

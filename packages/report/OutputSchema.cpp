@@ -14,6 +14,9 @@ Schema outputSchema() {
       .boolean("Error Estimate", false,
                "Estimate the discretisation error in the energy norm from recovered stresses, per element (field ErrorEstimate, "
                "summary, console). Implied by an automatic tolerance.")
+      .boolean("Error Bound", false,
+               "Bound the error in the energy norm from above, without unknown constants, and give the contribution of each element (field "
+               "ErrorBound, summary, console). Where that is not possible, the figure is an estimate, with the reason.")
       .boolean("Mesh Error", true,
                "If there is no other estimate: estimate the discretisation error from averaged stresses, a rougher and cheaper method "
                "(summary, console). Warns above 25 %.")

@@ -60,6 +60,21 @@ Json errors(const Solution& answer) {
   return all;
 }
 
+// Bound of the error in the energy norm; the figures are missing where nothing could be computed.
+Json bound(const ErrorBound& of) {
+  Json all = {{"strict", of.strict}, {"reasons", of.reasons}};
+  if (!of.exists) return all;
+  all["total"] = of.total;
+  all["relative"] = of.relative();
+  all["discretisation"] = of.discretisation;
+  all["algebraic"] = of.algebraic;
+  all["oscillation"] = of.oscillation;
+  all["energy_lower"] = of.energyLower;
+  all["energy_upper"] = of.energyUpper;
+  all["imbalance"] = of.imbalance;
+  return all;
+}
+
 Json outer(const Solution& answer, const std::vector<OuterRow>& rows) {
   double condition = 0.0;
   for (const OuterRow& row : rows) condition = std::max(condition, row.condition);
@@ -248,6 +263,7 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
     if (!answer.rigidGroups.empty()) summary["rigid_groups"] = rigidGroupsJson(run, dimension);
     if (!answer.safety.ofBodies.empty()) summary["safety"] = safetyJson(run, dimension);
     if (run.accuracy) summary["accuracy"] = accuracy(*run.accuracy);
+    if (answer.bound) summary["bound"] = bound(*answer.bound);
     if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
     // Text that is not UTF-8 (a title in Latin-1) must not make the results unwritable.
     text = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -37,9 +37,12 @@ MadeFor madeFor(const Parameters& scene) {
 bool isCut(const Scene& scene) { return scene.settings().sublist("Partition").get<std::string>("Type") == kPartitionedMesh; }
 
 Whole wholeOf(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
-  return {problemSize(comm, mesh, constraints, partition), constraints.pieces,
-          onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); }), constraints.conditions,
-          onRoot(comm, "finding what load steps change", [&] { return prescribedParts(mesh, constraints); })};
+  return {problemSize(comm, mesh, constraints, partition),
+          constraints.pieces,
+          onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); }),
+          constraints.conditions,
+          onRoot(comm, "finding what load steps change", [&] { return prescribedParts(mesh, constraints); }),
+          constraints.parts};
 }
 
 namespace {

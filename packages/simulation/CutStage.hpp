@@ -16,6 +16,7 @@ struct Whole {
   std::string hash;                     ///< hash of the mesh, on rank 0
   std::vector<std::string> conditions;  ///< Constraints::conditions, on rank 0
   PrescribedParts prescribed{};         ///< on rank 0
+  BoundaryParts parts{};                ///< likewise
 };
 
 /// Collective.

@@ -21,6 +21,16 @@ namespace suture {
 
 namespace {
 constexpr std::size_t kNotes = 3;  // groups of contacts with undetermined forces that are named on the console
+
+/// True if any subdomain has its own physics. Collective.
+bool hasOwnPhysics(const Comm& comm, const Subdomains& subdomains) {
+  const int mine =
+      std::any_of(subdomains.begin(), subdomains.end(), [](const auto& subdomain) { return subdomain && !subdomain->followsModel(); });
+  int any = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  return any != 0;
+}
+
 }  // namespace
 
 bool wantsErrorEstimate(const Parameters& settings) {
@@ -61,14 +71,27 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
   if (nodal) solution.nodalStresses = timed(timers, "recover", [&] { return nodalStresses(comm, meshes, model, recovered); });
 }
 
+bool wantsErrorBound(const Parameters& settings) { return settings.sublist("Output").get<bool>("Error Bound"); }
+
+void boundError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
+                const BoundaryParts& parts, bool followsPath, Solution& solution, Timers& timers) {
+  if (!wantsErrorBound(scene.settings())) return;
+  std::vector<std::string> reasons;
+  if (followsPath && scene.laws.restrictSliding()) reasons.push_back("the solution depends on the path of its load steps");
+  if (hasOwnPhysics(comm, subdomains)) {
+    solution.bound.emplace();
+    solution.bound->reasons.push_back("a body has its own physics");
+    return;
+  }
+  solution.bound = timed(timers, "bound", [&] {
+    return errorBound(comm, {meshes, scene.model, solution.displacement, {}, solution.pairs, parts, solution.energy, reasons});
+  });
+}
+
 void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
                   const LoadPath* path, Solution& solution, Timers& timers) {
   if (solution.discretisation || !scene.settings().sublist("Output").get<bool>("Mesh Error")) return;
-  const int mine =
-      std::any_of(subdomains.begin(), subdomains.end(), [](const auto& subdomain) { return subdomain && !subdomain->followsModel(); });
-  int any = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  if (any != 0) return;
+  if (hasOwnPhysics(comm, subdomains)) return;
   EarlierEnergy earlier{0.0, requestedAccuracy(scene.settings(), solution)};
   if (path)
     for (const BodyForces& body : path->carried()) earlier.twice += body.energy();

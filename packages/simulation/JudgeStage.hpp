@@ -25,6 +25,14 @@ void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const s
 /// request, recovered stresses. Phases "errors", "estimate", "recover". Collective.
 void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution, Timers& timers);
 
+/// True if the settings request a bound of the error. Local.
+bool wantsErrorBound(const Parameters& settings);
+
+/// Adds a bound of the error (errorBound) if the settings request it. Phase "bound". Collective. \param parts  on rank 0 \param followsPath
+/// the solution is the last one of a path of load steps
+void boundError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
+                const BoundaryParts& parts, bool followsPath, Solution& solution, Timers& timers);
+
 /// Adds a cheap estimate of the discretisation error (averagedEstimate) if the settings request it and there is no other estimate. Skipped
 /// for scenes with user-defined subdomains, whose stress law is unknown. Phase "estimate". Collective.
 void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,

@@ -304,6 +304,7 @@ JudgedScene judge(SolvedScene solved) {
   const Subdomains subdomains = solved.method_ ? solved.method_->takeSubdomains() : Subdomains();
   solved.method_.reset();
   if (!solved.isJudged_) judgeSolution(parts, subdomains, solution);
+  boundError(comm, parts.cut.meshes, subdomains, parts.scene, parts.cut.whole.parts, parts.followsPath(), solution, parts.run.timers());
   // Once per run: load steps and coupled solves share the mesh.
   estimateMesh(comm, parts.cut.meshes, subdomains, parts.scene, parts.path.get(), solution, parts.run.timers());
   const std::optional<EntryResults> joined = entryResults(parts, solution);

@@ -1,0 +1,46 @@
+#pragma once
+#include <suture/answer/bound/BoundElements.hpp>
+#include <suture/answer/bound/ErrorBound.hpp>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A side of an element of this rank at the boundary of the bodies.
+struct PlaceOfSide {
+  int mesh = -1, element = -1;
+  int opposite = -1;  ///< vertex of the simplex (BoundElement) opposite to the side
+};
+
+/// What is known of a solution for its error bound: simplices of this rank and conditions at the boundary, without the pressures of
+/// contacts.
+template <int D>
+struct BoundParts {
+  int degree = 1;
+  std::vector<BoundElement<D>> elements;
+  std::vector<std::vector<int>> ofMesh;  ///< number of the simplex of each element of each mesh
+  std::vector<BoundarySide<D>> boundary;
+  std::vector<PlaceOfSide> places;  ///< of each entry of `boundary`
+  /// Entries of `boundary` on each contact (place in BoundaryParts::touching), on sides A and B.
+  std::vector<std::vector<int>> onA, onB;
+  double solutionNorm = 0.0;      ///< square over this rank [energy]
+  double liftNorm = 0.0;          ///< likewise, of the change by lift() [energy]
+  double oscillation = 0.0;       ///< square over this rank, estimated [energy]
+  std::set<std::string> reasons;  ///< why the bound is not strict, found on this rank
+};
+
+/// Local. \param parts  the same on all ranks \param displacement  v \param balanced  field whose element forces are in equilibrium
+/// \throws InputError  a folded element
+template <int D>
+BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts);
+
+/// Changes the displacement of the middle of edges: adds to the stresses of the simplices. \param lifts  node of the mesh -> displacement
+template <int D>
+void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts);
+
+/// True if all cells of this rank are simplices of one order; `degree` is raised to it.
+bool areSimplices(const std::vector<SubdomainMesh>& meshes, int& degree);
+
+}  // namespace suture

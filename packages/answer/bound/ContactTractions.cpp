@@ -1,0 +1,335 @@
+#include <suture/answer/bound/ContactPressures.hpp>
+#include <suture/answer/bound/ContactTractions.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/mesh/SideGeometry.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace suture {
+
+namespace {
+
+// Deviations of normals and sizes of opposite sides that are round-off.
+constexpr double kOpposite = 1e-8;
+// Round-off of the weights of pairs.
+constexpr double kWeight = 1e-12;
+
+/// A side of a contact, as sent to rank 0.
+struct TouchingSide {
+  int contact = -1, rank = -1, number = -1;  // place in BoundaryParts::touching; entry of BoundParts::boundary on its rank
+  int onA = 0;
+  std::array<GlobalId, 6> nodes{{-1, -1, -1, -1, -1, -1}};  // in the order of the bound
+  std::array<Point, 6> places{};
+  Point normal{0, 0, 0};
+  double size = 0.0;
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.contact), each(self.rank), each(self.number), each(self.onA), each(self.nodes), each(self.places), each(self.normal);
+    each(self.size);
+  }
+};
+
+/// A pair, as sent to rank 0.
+struct TouchingPair {
+  int id = -1, line = -1;
+  GlobalId a = -1, b = -1;  // nodes; b = -1: an obstacle
+  Point normal{0, 0, 0};
+  bool isSimple = false;  // frictionless, at most one node on each side, with weights 1
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.id), each(self.line), each(self.a), each(self.b), each(self.normal), each(self.isSimple);
+  }
+};
+
+/// Traction on a side, as sent from rank 0.
+struct SideTraction {
+  int rank = -1, number = -1;
+  int isUnknown = 0;
+  std::array<Point, 6> values{};
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.rank), each(self.number), each(self.isUnknown), each(self.values);
+  }
+};
+
+TouchingPair pairOf(const ContactRow& row) {
+  TouchingPair own{row.pair.id, row.pair.line};
+  own.normal = row.pair.normal;
+  own.isSimple = row.separates && !row.restrictsSliding() && row.pair.ends.size() <= 2;
+  for (const PairEnd& end : row.pair.ends) {
+    (end.weight > 0 ? own.a : own.b) = end.node;
+    own.isSimple = own.isSimple && std::abs(std::abs(end.weight) - 1) < kWeight;
+  }
+  own.isSimple = own.isSimple && own.a >= 0 && (row.pair.ends.size() == 1 || own.b >= 0);
+  return own;
+}
+
+/// The tractions of one contact, on rank 0.
+class OneContact {
+ public:
+  OneContact(const TouchingSides& contact, int dimension, int degree) : contact_(contact), dimension_(dimension), degree_(degree) {}
+
+  void add(const TouchingSide& side) { (side.onA ? a_ : b_).push_back(&side); }
+  void add(const TouchingPair& pair, const PairResult& result) {
+    isSimple_ = isSimple_ && pair.isSimple;
+    pairs_.push_back({pair, result});
+  }
+
+  void find(ContactTractions& all, std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
+    const std::string problem = findTractions(all, tractions);
+    if (problem.empty()) return;
+    reasons.insert("contact '" + contact_.contact + "': " + problem);
+    for (const auto* list : {&a_, &b_})
+      for (const TouchingSide* side : *list) tractions.push_back({side->rank, side->number, 1});
+  }
+
+ private:
+  struct Pair {
+    TouchingPair pair;
+    PairResult result;
+  };
+  int sideNodes() const { return degree_ == 1 ? dimension_ : dimension_ * (dimension_ + 1) / 2; }
+
+  /// Returns the reason if there are none.
+  std::string findTractions(ContactTractions& all, std::vector<SideTraction>& tractions) {
+    if (contact_.isSoft) return "it is softened";
+    if (!isSimple_) return "it has friction, is glued, or its sides do not match";
+    if (contact_.isInterpolated) return "its gap varies between the nodes";
+    std::map<GlobalId, int> pairOfNode;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) pairOfNode[pairs_[i].pair.a] = int(i);
+    std::vector<const TouchingSide*> pressed;
+    PressedSides sides;
+    sides.dimension = dimension_;
+    sides.degree = degree_;
+    for (const Pair& pair : pairs_) {
+      sides.places.push_back({0, 0, 0});
+      sides.forces.push_back(pair.result.state.closed() ? pair.result.force : 0.0);
+    }
+    for (const TouchingSide* side : a_) {
+      std::vector<int> nodes;
+      for (int j = 0; j < sideNodes(); ++j) {
+        const auto found = pairOfNode.find(side->nodes[j]);
+        if (found != pairOfNode.end()) nodes.push_back(found->second);
+      }
+      if (int(nodes.size()) < sideNodes()) continue;  // its nodes face nothing
+      for (std::size_t j = 0; j < nodes.size(); ++j) {
+        if (norm(minus(pairs_[nodes[j]].pair.normal, side->normal)) > kOpposite) return "it is curved";
+        sides.places[nodes[j]] = side->places[j];
+      }
+      sides.nodes.insert(sides.nodes.end(), nodes.begin(), nodes.end());
+      sides.sizes.push_back(side->size);
+      pressed.push_back(side);
+    }
+    std::map<std::vector<GlobalId>, const TouchingSide*> opposite;
+    for (const TouchingSide* side : b_) opposite[std::vector<GlobalId>(side->nodes.begin(), side->nodes.begin() + dimension_)] = side;
+    std::vector<const TouchingSide*> others;
+    for (const TouchingSide* side : pressed) {
+      if (contact_.groupsB.empty()) continue;
+      std::vector<GlobalId> key;
+      for (int j = 0; j < dimension_; ++j) key.push_back(pairs_[pairOfNode.at(side->nodes[j])].pair.b);
+      std::sort(key.begin(), key.end());
+      const auto found = opposite.find(key);
+      if (found == opposite.end()) return "its sides do not match";
+      if (norm(plus(found->second->normal, side->normal)) > kOpposite || std::abs(found->second->size / side->size - 1) > kOpposite)
+        return "its sides are not parallel";
+      others.push_back(found->second);
+    }
+    if (pressed.empty()) return "no side of it faces another";
+    const Pressures pressures = admissiblePressures(sides);
+    if (!pressures.feasible) return "its nodal forces are not those of any pressure";
+    addTractions(pressed, others, pressures, pairOfNode, tractions);
+    addGap(sides, pressures, all);
+    addRests(pressures, all);
+    return "";
+  }
+
+  void addTractions(const std::vector<const TouchingSide*>& pressed, const std::vector<const TouchingSide*>& others,
+                    const Pressures& pressures, const std::map<GlobalId, int>& pairOfNode, std::vector<SideTraction>& tractions) const {
+    for (std::size_t s = 0; s < pressed.size(); ++s) {
+      SideTraction own{pressed[s]->rank, pressed[s]->number};
+      for (int j = 0; j < sideNodes(); ++j) own.values[j] = scaled(-pressures.values(j, int(s)), pressed[s]->normal);
+      tractions.push_back(own);
+      if (others.empty()) continue;
+      SideTraction other{others[s]->rank, others[s]->number};
+      for (int j = 0; j < sideNodes(); ++j) {
+        const GlobalId partner = pairs_[pairOfNode.at(pressed[s]->nodes[j])].pair.b;
+        for (int i = 0; i < sideNodes(); ++i)
+          if (others[s]->nodes[i] == partner) other.values[i] = scaled(-1.0, own.values[j]);
+      }
+      tractions.push_back(other);
+    }
+  }
+
+  void addGap(const PressedSides& sides, const Pressures& pressures, ContactTractions& all) const {
+    Matrix gaps(sides.sideNodes(), sides.sides());
+    for (int s = 0; s < sides.sides(); ++s)
+      for (int j = 0; j < sides.sideNodes(); ++j) {
+        const PairResult& result = pairs_[sides.nodesOf(s)[j]].result;
+        gaps(j, s) = result.state.closed() ? 0.0 : result.gap;
+      }
+    const std::vector<double> heights = liftOfGaps(sides, gaps);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      if (heights[i] > 0.0) {
+        Point& value = all.lifts[pairs_[i].pair.a];
+        value = plus(value, scaled(-heights[i], pairs_[i].pair.normal));
+        all.liftWork += sides.forces[i] * heights[i];
+      }
+    for (int s = 0; s < sides.sides(); ++s)
+      for (int j = 0; j < sides.sideNodes(); ++j) gaps(j, s) += heights[sides.nodesOf(s)[j]];
+    all.gapWork += 2 * std::max(0.0, gapWork(sides, pressures.values, gaps));
+  }
+
+  void addRests(const Pressures& pressures, ContactTractions& all) const {
+    for (const std::vector<int>& cluster : pressures.clusters) {
+      UnbalancedForces onA, onB;
+      for (const int i : cluster) {
+        const Pair& pair = pairs_[i];
+        if (pressures.rest[i] == 0.0) continue;
+        onA.nodes.push_back(pair.pair.a);
+        onA.forces.push_back(scaled(-pressures.rest[i], pair.pair.normal));
+        if (pair.pair.b < 0) continue;
+        onB.nodes.push_back(pair.pair.b);
+        onB.forces.push_back(scaled(pressures.rest[i], pair.pair.normal));
+      }
+      if (!onA.nodes.empty()) all.rests.push_back(std::move(onA));
+      if (!onB.nodes.empty()) all.rests.push_back(std::move(onB));
+    }
+  }
+
+  const TouchingSides& contact_;
+  int dimension_, degree_;
+  bool isSimple_ = true;
+  std::vector<const TouchingSide*> a_, b_;
+  std::vector<Pair> pairs_;
+};
+
+template <int D>
+std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& solution, const BoundParts<D>& parts) {
+  using Nodes = SimplexNodes<D>;
+  std::vector<TouchingSide> all;
+  const auto add = [&](int contact, int number, bool onA) {
+    TouchingSide side{contact, comm.getRank(), number, int(onA)};
+    const PlaceOfSide& place = parts.places[number];
+    const SubdomainMesh& mesh = solution.meshes[place.mesh];
+    const BoundElement<D>& element = parts.elements[parts.ofMesh[place.mesh][place.element]];
+    const Span<const int> nodes = mesh.nodesOf(place.element);
+    const CellInfo& cell = cellInfo(mesh.cells[place.element]);
+    const auto local = [&](GlobalId id) {
+      return int(std::find_if(nodes.begin(), nodes.end(), [&](int n) { return mesh.globalNodes[n] == id; }) - nodes.begin());
+    };
+    for (int j = 0; j < Nodes::sideNodes(parts.degree); ++j) {
+      const int node = Nodes::ofSide(place.opposite, j);
+      int at = 0;
+      if (node <= D) {
+        at = nodes[local(element.vertices[node])];
+      } else {
+        const int a = local(element.vertices[Nodes::ends[node - D - 1][0]]), b = local(element.vertices[Nodes::ends[node - D - 1][1]]);
+        for (std::size_t i = 0; i < cell.edges.size(); ++i)
+          if ((cell.edges[i][0] == a && cell.edges[i][1] == b) || (cell.edges[i][0] == b && cell.edges[i][1] == a))
+            at = nodes[cell.vertices + int(i)];
+      }
+      side.nodes[j] = mesh.globalNodes[at];
+      side.places[j] = mesh.point(at);
+    }
+    const Point first = minus(side.places[1], side.places[0]);
+    Point normal = D == 2 ? Point{first[1], -first[0], 0} : cross(first, minus(side.places[2], side.places[0]));
+    side.size = D == 2 ? norm(normal) : norm(normal) / 2;
+    Point opposite{0, 0, 0};
+    for (int k = 0; k < D; ++k) opposite[k] = element.places(k, place.opposite);
+    if (dot(normal, minus(side.places[0], opposite)) < 0) normal = scaled(-1.0, normal);
+    side.normal = unit(normal);
+    all.push_back(side);
+  };
+  for (std::size_t i = 0; i < parts.onA.size(); ++i) {
+    for (const int number : parts.onA[i]) add(int(i), number, true);
+    for (const int number : parts.onB[i]) add(int(i), number, false);
+  }
+  return all;
+}
+
+/// The tractions of all contacts, on rank 0. \param kind  dimension and degree
+void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, std::array<int, 2> kind,
+             const std::vector<TouchingSide>& sides, const std::vector<TouchingPair>& pairs, ContactTractions& result,
+             std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
+  std::vector<OneContact> all;
+  std::map<int, std::size_t> ofLine;
+  for (std::size_t i = 0; i < contacts.touching.size(); ++i) {
+    all.emplace_back(contacts.touching[i], kind[0], kind[1]);
+    ofLine[contacts.touching[i].line] = i;
+  }
+  for (const TouchingSide& side : sides) all[side.contact].add(side);
+  std::map<int, const TouchingPair*> byId;
+  for (const TouchingPair& pair : pairs) byId[pair.id] = &pair;
+  std::map<int, const PairResult*> resultOf;
+  for (const PairResult& own : solution.pairs) resultOf[own.id] = &own;
+  for (const auto& [id, pair] : byId) {
+    const auto line = ofLine.find(pair->line);
+    if (line != ofLine.end() && resultOf.count(id)) all[line->second].add(*pair, *resultOf.at(id));
+  }
+  for (OneContact& contact : all) contact.find(result, tractions, reasons);
+}
+
+/// The same on all ranks. Collective. \param reasons  on rank 0
+ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, std::array<int, 2> kind,
+                                 const std::vector<TouchingSide>& sidesHere, std::vector<SideTraction>& tractions,
+                                 std::set<std::string>& reasons) {
+  ContactTractions result;
+  std::vector<TouchingPair> pairsHere;
+  for (const SubdomainMesh& mesh : solution.meshes)
+    for (const ContactRow& row : mesh.contactRows) pairsHere.push_back(pairOf(row));
+  const std::vector<TouchingSide> sides = joinOnRoot(comm, sidesHere);
+  const std::vector<TouchingPair> pairs = joinOnRoot(comm, pairsHere);
+  collectivelyOnRoot(comm, "finding contact pressures",
+                     [&] { findAll(solution, contacts, kind, sides, pairs, result, tractions, reasons); });
+  Packer packer;
+  packer.put(tractions);
+  packer.put(result.lifts);
+  packer.put(result.gapWork);
+  packer.put(result.liftWork);
+  packer.put(static_cast<int>(result.rests.size()));
+  for (const UnbalancedForces& rest : result.rests) packer.put(rest.nodes), packer.put(rest.forces);
+  Unpacker unpacker(broadcast(comm, packer.bytes()));
+  unpacker.get(tractions);
+  unpacker.get(result.lifts);
+  unpacker.get(result.gapWork);
+  unpacker.get(result.liftWork);
+  result.rests.resize(static_cast<std::size_t>(unpacker.get<int>()));
+  for (UnbalancedForces& rest : result.rests) unpacker.get(rest.nodes), unpacker.get(rest.forces);
+  return result;
+}
+
+}  // namespace
+
+template <int D>
+ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, BoundParts<D>& parts) {
+  if (contacts.touching.empty()) return {};
+  std::vector<SideTraction> tractions;
+  ContactTractions result =
+      agreedTractions(comm, solution, contacts, {D, parts.degree}, sidesHere(comm, solution, parts), tractions, parts.reasons);
+  for (const SideTraction& own : tractions) {
+    if (own.rank != comm.getRank()) continue;
+    BoundarySide<D>& side = parts.boundary[own.number];
+    if (own.isUnknown) {
+      side.known = 0;
+      continue;
+    }
+    for (int j = 0; j < SimplexNodes<D>::sideNodes(parts.degree); ++j)
+      for (int k = 0; k < D; ++k) side.traction(k, j) += own.values[j][k];
+  }
+  return result;
+}
+
+template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, BoundParts<2>&);
+template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, BoundParts<3>&);
+
+}  // namespace suture

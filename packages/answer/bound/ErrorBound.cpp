@@ -1,0 +1,113 @@
+#include <suture/answer/bound/AirySweeps.hpp>
+#include <suture/answer/bound/ContactTractions.hpp>
+#include <suture/answer/bound/EquilibratedTractions.hpp>
+#include <suture/answer/bound/ErrorBound.hpp>
+#include <suture/answer/bound/RestForces.hpp>
+#include <suture/base/AgreedDimension.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace suture {
+
+namespace {
+
+// Resultants of elements, relative to their forces, up to which stresses count as in equilibrium.
+constexpr double kInEquilibrium = 1e-10;
+
+std::vector<std::string> everywhere(const Comm& comm, const std::set<std::string>& mine) {
+  Packer packer;
+  packer.put(std::vector<std::string>(mine.begin(), mine.end()));
+  std::set<std::string> all;
+  for (const std::string& bytes : allGather(comm, packer.bytes()))
+    for (std::string& reason : Unpacker(bytes).get<std::vector<std::string>>()) all.insert(std::move(reason));
+  return {all.begin(), all.end()};
+}
+
+double sumOver(const Comm& comm, double mine) {
+  double all = 0.0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+BoundaryParts broadcastParts(const Comm& comm, const BoundaryParts& mine) {
+  Packer packer;
+  packer.put(mine);
+  BoundaryParts parts;
+  Unpacker(broadcast(comm, packer.bytes())).get(parts);
+  return parts;
+}
+
+ErrorBound notAvailable(const std::string& reason) {
+  ErrorBound bound;
+  bound.reasons.push_back(reason);
+  return bound;
+}
+
+template <int D>
+ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, int sweeps) {
+  BoundParts<D> parts;
+  collectively(comm, "bounding the error", [&] {
+    parts = boundParts<D>(solution, contacts);
+    if (comm.getRank() == 0) parts.reasons.insert(solution.reasons.begin(), solution.reasons.end());
+  });
+  int degree = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, parts.degree, Teuchos::outArg(degree));
+  parts.degree = degree;
+  const ContactTractions contact = contactTractions<D>(comm, solution, contacts, parts);
+  collectively(comm, "bounding the error", [&] { lift<D>(parts, solution, contact.lifts); });
+  if (!carryRestForces(comm, solution, contact.rests, parts))
+    parts.reasons.insert("contact pressures balance the nodal forces only on the average");
+  const StarMesh<D> mesh(comm, solution.meshes, degree, parts.elements, parts.ofMesh, parts.boundary);
+  const EquilibratedTractions<D> tractions = equilibratedTractions(mesh);
+  if (tractions.unbalanced > 0)
+    parts.reasons.insert("forces at " + std::to_string(tractions.unbalanced) + (tractions.unbalanced == 1 ? " node are" : " nodes are") +
+                         " concentrated, first near " + placeText(tractions.worst, D));
+  ErrorBound bound;
+  Vector squares;
+  if constexpr (D == 2) {
+    AirySweeps stresses(mesh, tractions.values);
+    stresses.run(sweeps);
+    squares = stresses.energies();
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, stresses.imbalance(), Teuchos::outArg(bound.imbalance));
+  }
+  if (bound.imbalance > kInEquilibrium) parts.reasons.insert("stresses are not exactly in equilibrium");
+  bound.exists = true;
+  bound.reasons = everywhere(comm, parts.reasons);
+  bound.strict = bound.reasons.empty();
+  bound.solutionNorm = std::sqrt(sumOver(comm, parts.solutionNorm));
+  bound.oscillation = std::sqrt(sumOver(comm, parts.oscillation));
+  const double square = std::max(0.0, sumOver(comm, squares.sum())) + contact.gapWork;
+  bound.discretisation = std::sqrt(square);
+  const double lifted = sumOver(comm, parts.liftNorm);
+  bound.total = bound.discretisation + bound.oscillation + std::sqrt(lifted);
+  bound.energyUpper = solution.energy + contact.liftWork + lifted / 2;
+  bound.energyLower = bound.energyUpper - square / 2;
+  for (std::size_t m = 0; m < solution.meshes.size(); ++m) {
+    bound.ofElements.emplace_back(solution.meshes[m].elements());
+    for (int e = 0; e < solution.meshes[m].elements(); ++e)
+      bound.ofElements.back()[e] = std::sqrt(std::max(0.0, squares[parts.ofMesh[m][e]]));
+  }
+  return bound;
+}
+
+}  // namespace
+
+ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int sweeps) {
+  const int dimension = agreedDimensionOf(comm, solution.meshes);
+  const BoundaryParts parts = broadcastParts(comm, solution.parts);
+  if (!parts.isKnown) return notAvailable("the mesh was partitioned by suture_partition");
+  int degree = 1, simple = areSimplices(solution.meshes, degree), all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, simple, Teuchos::outArg(all));
+  if (all == 0) return notAvailable("the mesh has cells other than triangles and tetrahedra");
+  return dimension == 3 ? boundOf<3>(comm, solution, parts, sweeps) : boundOf<2>(comm, solution, parts, sweeps);
+}
+
+}  // namespace suture

@@ -1,0 +1,52 @@
+#pragma once
+#include <suture/answer/PairResult.hpp>
+#include <suture/base/Types.hpp>
+#include <suture/constraints/BoundaryParts.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/pairs/ContactLaw.hpp>
+#include <suture/partition/SubdomainMesh.hpp>
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Upper bound of the error of a displacement field in the energy norm, without any unknown constant. Energy norms: sqrt(a(v, v)),
+/// [(force length)^(1/2)].
+struct ErrorBound {
+  double total = 0.0;           ///< bound of |u - u_h|, u the exact displacement
+  double discretisation = 0.0;  ///< part of the mesh
+  double algebraic = 0.0;       ///< part of the solver: energy norm of the correction that balances the forces of the elements
+  double oscillation = 0.0;     ///< estimated effect of loads that are not polynomials of the elements' order
+  double solutionNorm = 0.0;    ///< energy norm of u_h
+  double energyLower = 0.0, energyUpper = 0.0;  ///< the potential energy of the exact solution is between them [energy]
+  bool strict = false;                          ///< true: proved for this scene on the polygon (polyhedron) of the mesh
+  std::vector<std::string> reasons;             ///< why it is an estimate only; empty if strict
+  std::vector<Vector> ofElements;               ///< contribution of each element of each mesh of this rank; their squares sum to total^2
+  double imbalance = 0.0;                       ///< largest resultant of an element's data, relative to the largest force [-]
+  bool exists = false;                          ///< false: nothing could be computed, see `reasons`
+
+  double relative() const { return solutionNorm > 0.0 ? total / solutionNorm : 0.0; }
+};
+
+/// Solution whose error is to be bounded.
+struct BoundedSolution {
+  const std::vector<SubdomainMesh>& meshes;
+  const ElasticModel& model;
+  const std::vector<Vector>& displacement;  ///< of each mesh of this rank, node-major, Cartesian [length]
+  const std::vector<Vector>& correction;    ///< Balancing::correction; empty: none
+  const std::vector<PairResult>& pairs;     ///< on rank 0, all
+  const BoundaryParts& parts;               ///< on rank 0
+  double energy = 0.0;                      ///< potential energy of the solution [energy]
+  std::vector<std::string> reasons{};       ///< known reasons against a strict bound, on rank 0
+};
+
+/// Bounds the error by statically admissible stresses tau (Prager and Synge, Quart. Appl. Math. 5, 1947): with a displacement v without
+/// penetration and a contact pressure p >= 0 that acts on both sides,
+///     |u - v|^2 <= |tau - C eps(v)|^2 + 2 integral of p (gap of v),
+/// the first norm that of the complementary energy. Tractions between elements follow from the nodal forces of the elements, vertex by
+/// vertex (Ladeveze and Leguillon, SIAM J. Num. Anal. 20, 1983); stresses in the elements are those of StressElement; conjugate gradients
+/// over the stars of the vertices improve them. Collective. \param sweeps  number of these iterations
+ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int sweeps = 2);
+
+}  // namespace suture

@@ -1,0 +1,236 @@
+#include <Eigen/Geometry>
+#include <suture/answer/bound/StarMesh.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+#include <unordered_map>
+
+namespace suture {
+
+namespace {
+
+/// Ranks that share a node with this one, with the subdomains there.
+std::unordered_map<int, int> ranksOfSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
+  std::vector<int> mine;
+  for (const SubdomainMesh& mesh : meshes) mine.push_back(mesh.id);
+  Packer packer;
+  packer.put(mine);
+  std::unordered_map<int, int> rankOf;
+  const std::vector<std::string> all = allGather(comm, packer.bytes());
+  for (std::size_t rank = 0; rank < all.size(); ++rank)
+    for (const int id : Unpacker(all[rank]).get<std::vector<int>>()) rankOf[id] = static_cast<int>(rank);
+  return rankOf;
+}
+
+/// Plain values with Eigen members, which are not trivially copyable for the compiler.
+template <typename T>
+void putBytes(Packer& packer, const T& value) {
+  packer.put(std::string(reinterpret_cast<const char*>(&value), sizeof(T)));
+}
+template <typename T>
+void getBytes(Unpacker& unpacker, T& value) {
+  const std::string bytes = unpacker.get<std::string>();
+  std::memcpy(static_cast<void*>(&value), bytes.data(), sizeof(T));
+}
+
+/// Elements, and ranks that hold one of their nodes: rank -> places in the list of all own elements.
+std::map<int, std::vector<int>> elementsForRanks(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
+                                                 const std::vector<std::vector<int>>& ofMesh) {
+  const std::unordered_map<int, int> rankOf = ranksOfSubdomains(comm, meshes);
+  std::map<int, std::vector<int>> all;
+  std::set<int> neighbours;
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const SubdomainMesh& mesh = meshes[m];
+    for (int node = 0; node < mesh.nodes(); ++node)
+      for (const int other : mesh.others(node)) neighbours.insert(rankOf.at(other));
+    for (int e = 0; e < mesh.elements(); ++e) {
+      std::set<int> ranks;
+      for (const int node : mesh.nodesOf(e))
+        for (const int other : mesh.others(node)) ranks.insert(rankOf.at(other));
+      for (const int rank : ranks)
+        if (rank != comm.getRank()) all[rank].push_back(ofMesh[m][e]);
+    }
+  }
+  for (const int rank : neighbours)
+    if (rank != comm.getRank()) all[rank];
+  return all;
+}
+
+}  // namespace
+
+template <int D>
+StarMesh<D>::StarMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, int degree, std::vector<BoundElement<D>> elements,
+                      const std::vector<std::vector<int>>& ofMesh, std::vector<BoundarySide<D>> boundary)
+    : comm_(comm),
+      degree_(degree),
+      own_(static_cast<int>(elements.size())),
+      elements_(std::move(elements)),
+      boundary_(std::move(boundary)) {
+  rankOf_.assign(elements_.size(), comm.getRank());
+  sent_ = elementsForRanks(comm, meshes, ofMesh);
+  std::map<int, std::string> messages;
+  for (const auto& [rank, list] : sent_) {
+    Packer packer;
+    packer.put(static_cast<int>(list.size()));
+    for (const int e : list) {
+      putBytes(packer, elements_[e]);
+      for (const int b : elements_[e].boundary)
+        if (b >= 0) putBytes(packer, boundary_[b]);
+    }
+    messages[rank] = std::move(packer).bytes();
+  }
+  for (const auto& [rank, bytes] : swapWithNeighbours(comm, messages)) {
+    Unpacker unpacker(bytes);
+    for (int count = unpacker.template get<int>(); count > 0; --count) {
+      BoundElement<D> element;
+      getBytes(unpacker, element);
+      for (int& b : element.boundary)
+        if (b >= 0) {
+          b = static_cast<int>(boundary_.size());
+          boundary_.emplace_back();
+          getBytes(unpacker, boundary_.back());
+        }
+      received_[rank].push_back(static_cast<int>(elements_.size()));
+      elements_.push_back(element);
+      rankOf_.push_back(rank);
+    }
+  }
+  number();
+  findSides();
+  findStars();
+  findOwners();
+}
+
+template <int D>
+void StarMesh<D>::number() {
+  for (const BoundElement<D>& element : elements_) ids_.insert(ids_.end(), element.vertices.begin(), element.vertices.end());
+  std::sort(ids_.begin(), ids_.end());
+  ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+  std::unordered_map<GlobalId, int> numberOf;
+  numberOf.reserve(ids_.size());
+  for (std::size_t v = 0; v < ids_.size(); ++v) numberOf[ids_[v]] = static_cast<int>(v);
+  places_.resize(D, static_cast<Eigen::Index>(ids_.size()));
+  vertices_.resize(elements_.size());
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    for (int i = 0; i <= D; ++i) {
+      vertices_[e][i] = numberOf[elements_[e].vertices[i]];
+      places_.col(vertices_[e][i]) = elements_[e].places.col(i);
+    }
+}
+
+template <int D>
+void StarMesh<D>::findSides() {
+  // Sides whose lowest vertex is v: few, and searched one by one.
+  std::vector<std::vector<int>> ofLowest(ids_.size());
+  sides_.resize(elements_.size());
+  signs_.resize(elements_.size());
+  for (int e = 0; e < elements(); ++e)
+    for (int a = 0; a <= D; ++a) {
+      std::array<int, D> key;
+      for (int i = 0, j = 0; i <= D; ++i)
+        if (i != a) key[j++] = vertices_[e][i];
+      int found = -1;
+      for (const int s : ofLowest[key[0]])
+        if (verticesOfSide_[s] == key) found = s;
+      if (found < 0) {
+        found = sides();
+        ofLowest[key[0]].push_back(found);
+        verticesOfSide_.push_back(key);
+        elementsOfSide_.push_back({e, -1});
+        boundaryOfSide_.push_back(elements_[e].boundary[a]);
+        Eigen::Matrix<double, D, 1> normal;
+        const Eigen::Matrix<double, D, 1> first = place(key[1]) - place(key[0]);
+        if constexpr (D == 2) {
+          normal << first[1], -first[0];
+          sizes_.push_back(normal.norm());
+        } else {
+          normal = first.cross(place(key[2]) - place(key[0]));
+          sizes_.push_back(normal.norm() / 2);
+        }
+        normals_.push_back(normal.normalized());
+      } else {
+        elementsOfSide_[found][1] = e;
+      }
+      sides_[e][a] = found;
+      signs_[e][a] = normals_[found].dot(place(key[0]) - place(vertices_[e][a])) > 0 ? 1.0 : -1.0;
+    }
+}
+
+template <int D>
+void StarMesh<D>::findStars() {
+  starBegin_.assign(ids_.size() + 1, 0);
+  for (const auto& element : vertices_)
+    for (const int v : element) ++starBegin_[v + 1];
+  for (std::size_t v = 0; v < ids_.size(); ++v) starBegin_[v + 1] += starBegin_[v];
+  starElements_.resize(starBegin_.back());
+  std::vector<int> at(starBegin_.begin(), starBegin_.end() - 1);
+  for (int e = 0; e < elements(); ++e)
+    for (const int v : vertices_[e]) starElements_[at[v]++] = e;
+  complete_.assign(ids_.size(), 0);
+  for (int e = 0; e < own_; ++e)
+    for (const int v : vertices_[e]) complete_[v] = 1;
+}
+
+template <int D>
+void StarMesh<D>::findOwners() {
+  counts_.assign(ids_.size(), 0);
+  countsSide_.assign(elementsOfSide_.size(), 0);
+  const int me = comm_.getRank();
+  for (int v = 0; v < vertices(); ++v) {
+    if (!isComplete(v)) continue;
+    const Span<const int> all = star(v);
+    counts_[v] = std::all_of(all.begin(), all.end(), [&](int e) { return rankOf_[e] >= me; });
+  }
+  for (int s = 0; s < sides(); ++s) {
+    const auto& [first, second] = elementsOfSide_[s];
+    if (first >= own_ && (second < 0 || second >= own_)) continue;
+    countsSide_[s] = rankOf_[first] >= me && (second < 0 || rankOf_[second] >= me);
+  }
+}
+
+template <int D>
+void StarMesh<D>::exchange(Matrix& values, bool ofVertices) const {
+  const auto places = [&](int e) -> const std::array<int, D + 1>& { return ofVertices ? vertices_[e] : sides_[e]; };
+  std::map<int, std::string> messages;
+  for (const auto& [rank, list] : sent_) {
+    Packer packer;
+    std::vector<double> all;
+    all.reserve(list.size() * (D + 1) * values.rows());
+    for (const int e : list)
+      for (const int i : places(e)) all.insert(all.end(), values.col(i).data(), values.col(i).data() + values.rows());
+    packer.put(all);
+    messages[rank] = std::move(packer).bytes();
+  }
+  for (const auto& [rank, bytes] : swapWithNeighbours(comm_, messages)) {
+    const std::vector<double> all = Unpacker(bytes).get<std::vector<double>>();
+    const auto list = received_.find(rank);
+    if (list == received_.end()) continue;
+    const double* next = all.data();
+    for (const int e : list->second)
+      for (const int i : places(e)) {
+        const bool isOwn = ofVertices ? isComplete(i) : elementsOfSide_[i][0] < own_;
+        if (!isOwn) values.col(i) = Eigen::Map<const Vector>(next, values.rows());
+        next += values.rows();
+      }
+  }
+}
+
+template <int D>
+void StarMesh<D>::exchangeSides(Matrix& values) const {
+  exchange(values, false);
+}
+
+template <int D>
+void StarMesh<D>::exchangeVertices(Matrix& values) const {
+  exchange(values, true);
+}
+
+template class StarMesh<2>;
+template class StarMesh<3>;
+
+}  // namespace suture
