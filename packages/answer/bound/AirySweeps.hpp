@@ -8,6 +8,8 @@ namespace suture {
 /// Changes of the stresses are derived from a stress function, continuous with its gradient, a polynomial of degree k + 2 on each part of
 /// the split triangles (Hsieh-Clough-Tocher elements): every iterate is exactly in equilibrium. The preconditioner solves exactly on the
 /// star of each vertex. Local data: one ring of triangles; each iteration exchanges values with neighbours once.
+/// \tparam K  degree of the stresses, 1 or 2
+template <int K>
 class AirySweeps {
  public:
   /// \param tractions  EquilibratedTractions::values; all arguments must outlive this
@@ -22,33 +24,39 @@ class AirySweeps {
   double imbalance() const { return imbalance_; }
 
  private:
+  static constexpr int onSide = K == 1 ? 1 : 3;  ///< unknowns of a side besides those of its ends
+  static constexpr int dofs = 9 + 3 * onSide, sideData = 2 * (K + 1), tractions = 3 * sideData;
+  using Local = Eigen::Matrix<double, dofs, 1>;
+  using LocalMatrix = Eigen::Matrix<double, dofs, dofs>;
+  using OfSide = Eigen::Matrix<double, sideData, 6 + onSide>;
   struct Field {
-    Matrix ofVertices, ofSides;  // value and gradient, 3 x vertices; values on sides
+    Matrix ofVertices, ofSides;  ///< value and gradient, 3 x vertices; onSide x sides
   };
   void findFreedom();
   void constrain(int side);
-  void assemble(const Matrix& tractions);
-  Matrix sideTractions(int side) const;
+  void assemble(const Matrix& given);
+  OfSide sideTractions(int side) const;
   void factorStars();
+  void listStars();
   Field zero() const;
-  Vector gather(const Field& field, int e) const;
-  void scatter(const Vector& values, int e, Field& field) const;
+  Local gather(const Field& field, int e) const;
+  void scatter(const Local& values, int e, Field& field) const;
   Field product(const Field& p) const;
   Field precondition(const Field& r) const;
   void exchange(Field& field) const;
   double dot(const Field& a, const Field& b) const;
-  int dofs() const { return 9 + 3 * onSide_; }
+  Eigen::Map<const LocalMatrix> matrix(int e) const { return Eigen::Map<const LocalMatrix>(&matrices_[std::size_t(e) * dofs * dofs]); }
 
   const StarMesh<2>& mesh_;
-  int onSide_;                                         // unknowns of a side besides those of its ends
   std::vector<Eigen::Matrix2d> frames_;                // of the gradient at each vertex, columns
   std::vector<unsigned> fixedAtVertex_, fixedAtSide_;  // bits
-  std::vector<double> matrices_;                       // of all triangles, dofs x dofs each
-  Matrix loads_;                                       // T^T G d, dofs x triangles
-  Vector start_;                                       // d.G d of own triangles
+  std::vector<double> matrices_;                       // of all triangles
+  Matrix loads_;                                       // dofs x triangles
+  Vector start_;                                       // energies of own triangles before the first sweep
   double imbalance_ = 0.0;
   Field solution_;
-  // Stars: sides, and Cholesky factors one after the other.
+  // Stars: sides, and packed Cholesky factors one after the other, rows of the lower triangles; a zero on the diagonal marks a fixed
+  // unknown.
   std::vector<int> starSides_, starBegin_;
   std::vector<double> factors_;
   std::vector<std::size_t> factorBegin_;

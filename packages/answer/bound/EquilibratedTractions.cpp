@@ -34,7 +34,8 @@ class NodeStar {
   /// Changes the moments of the node. Returns the largest rest of force.
   double balance() {
     const int n = int(elements_.size());
-    rest_.resize(D, n);
+    if (rest_.cols() < n) rest_.resize(D, n);
+    rest_.setZero();
     for (int i = 0; i < n; ++i) rest_.col(i) = mesh_.element(elements_[i].element).forces.col(elements_[i].node);
     bool turned = false;
     for (const OfSide& side : sides_) {
@@ -75,29 +76,66 @@ class NodeStar {
   }
 
   /// The least change of the moments' component k. The matrix of the normal equations is the Laplacian of the graph of simplices and
-  /// sides.
+  /// sides. Its factor serves further components with the same unknowns.
   double balanceComponent(int k) {
     const int n = int(elements_.size());
-    Matrix laplacian = Matrix::Zero(n, n);
-    for (const OfSide& side : sides_) {
-      if (!(side.unknown >> k & 1u)) continue;
-      const int i = side.element[0], j = side.element[1];
-      laplacian(i, i) += 1;
-      if (j < 0) continue;
-      laplacian(j, j) += 1;
-      laplacian(i, j) += side.sign[0] * side.sign[1];
-      laplacian(j, i) += side.sign[0] * side.sign[1];
+    bool same = k > 0;
+    for (const OfSide& side : sides_) same = same && (side.unknown >> k & 1u) == (side.unknown >> (k - 1) & 1u);
+    if (!same) factorLaplacian(k);
+    y_.resize(n);
+    for (int i = 0; i < n; ++i) {
+      double value = rest_(k, i);
+      for (int j = 0; j < i; ++j) value -= factor_[std::size_t(i) * n + j] * y_[j];
+      y_[i] = value / factor_[std::size_t(i) * n + i];
     }
-    const Vector rest = rest_.row(k).transpose();
-    const Vector y = laplacian.completeOrthogonalDecomposition().solve(rest);
+    for (int i = n - 1; i >= 0; --i) {
+      for (int j = i + 1; j < n; ++j) y_[i] -= factor_[std::size_t(j) * n + i] * y_[j];
+      y_[i] /= factor_[std::size_t(i) * n + i];
+    }
     for (const OfSide& side : sides_) {
       if (!(side.unknown >> k & 1u)) continue;
       double change = 0.0;
       for (int i = 0; i < 2; ++i)
-        if (side.element[i] >= 0) change += side.sign[i] * y[side.element[i]];
+        if (side.element[i] >= 0) change += side.sign[i] * y_[side.element[i]];
       moments_(D * side.node + k, side.side) += change;
+      for (int i = 0; i < 2; ++i)
+        if (side.element[i] >= 0) rest_(k, side.element[i]) -= side.sign[i] * change;
     }
-    return (laplacian * y - rest).cwiseAbs().maxCoeff();
+    return rest_.row(k).cwiseAbs().maxCoeff();
+  }
+
+  /// Each connected set of simplices without a side at the boundary whose traction is unknown gets one more entry on the diagonal: the
+  /// solution does not depend on it, because the forces of such a set sum to zero.
+  void factorLaplacian(int k) {
+    const int n = int(elements_.size());
+    factor_.assign(std::size_t(n) * n, 0.0);
+    root_.resize(n);
+    for (int i = 0; i < n; ++i) root_[i] = i;
+    const auto rootOf = [&](int i) {
+      while (root_[i] != i) i = root_[i];
+      return i;
+    };
+    for (const OfSide& side : sides_) {
+      if (!(side.unknown >> k & 1u)) continue;
+      const int i = side.element[0], j = side.element[1];
+      factor_[std::size_t(i) * n + i] += 1;
+      if (j < 0) continue;
+      factor_[std::size_t(j) * n + j] += 1;
+      factor_[std::size_t(std::max(i, j)) * n + std::min(i, j)] += side.sign[0] * side.sign[1];
+      root_[rootOf(std::max(rootOf(i), rootOf(j)))] = std::min(rootOf(i), rootOf(j));
+    }
+    std::vector<char>& grounded = grounded_;
+    grounded.assign(n, 0);
+    for (const OfSide& side : sides_)
+      if ((side.unknown >> k & 1u) && side.element[1] < 0) grounded[rootOf(side.element[0])] = 1;
+    for (int i = 0; i < n; ++i)
+      if (rootOf(i) == i && !grounded[i]) factor_[std::size_t(i) * n + i] += 1;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j <= i; ++j) {
+        double value = factor_[std::size_t(i) * n + j];
+        for (int l = 0; l < j; ++l) value -= factor_[std::size_t(i) * n + l] * factor_[std::size_t(j) * n + l];
+        factor_[std::size_t(i) * n + j] = i == j ? std::sqrt(value) : value / factor_[std::size_t(j) * n + j];
+      }
   }
 
   /// The same for all components, where those of boundary conditions are not along the coordinate axes.
@@ -120,7 +158,7 @@ class NodeStar {
       for (int i = 0; i < 2; ++i)
         if (unknowns[c].side->element[i] >= 0)
           equations.col(int(c)).template segment<D>(D * unknowns[c].side->element[i]) = unknowns[c].side->sign[i] * unknowns[c].along;
-    const Vector rest = Eigen::Map<const Vector>(rest_.data(), rest_.size());
+    const Vector rest = Eigen::Map<const Vector>(rest_.data(), D * n);
     const Vector change = equations.completeOrthogonalDecomposition().solve(rest);
     for (std::size_t c = 0; c < unknowns.size(); ++c)
       moments_.col(unknowns[c].side->side).template segment<D>(D * unknowns[c].side->node) += change[int(c)] * unknowns[c].along;
@@ -133,6 +171,9 @@ class NodeStar {
   std::vector<OfElement> elements_;
   std::vector<OfSide> sides_;
   Eigen::Matrix<double, D, Eigen::Dynamic> rest_;
+  std::vector<double> factor_, y_;
+  std::vector<int> root_;
+  std::vector<char> grounded_;
 };
 
 template <int D>

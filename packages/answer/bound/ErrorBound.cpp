@@ -3,6 +3,7 @@
 #include <suture/answer/bound/EquilibratedTractions.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
 #include <suture/answer/bound/RestForces.hpp>
+#include <suture/answer/bound/TractionSweeps.hpp>
 #include <suture/base/AgreedDimension.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
@@ -51,6 +52,15 @@ ErrorBound notAvailable(const std::string& reason) {
   return bound;
 }
 
+/// Squared energies of the own simplices after some sweeps.
+template <typename Sweeps, typename Mesh>
+Vector improved(const Mesh& mesh, const Matrix& tractions, int sweeps, double& imbalance) {
+  Sweeps stresses(mesh, tractions);
+  stresses.run(sweeps);
+  imbalance = stresses.imbalance();
+  return stresses.energies();
+}
+
 template <int D>
 ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, int sweeps) {
   BoundParts<D> parts;
@@ -72,12 +82,13 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
                          " concentrated, first near " + placeText(tractions.worst, D));
   ErrorBound bound;
   Vector squares;
-  if constexpr (D == 2) {
-    AirySweeps stresses(mesh, tractions.values);
-    stresses.run(sweeps);
-    squares = stresses.energies();
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, stresses.imbalance(), Teuchos::outArg(bound.imbalance));
-  }
+  double imbalance = 0.0;
+  if constexpr (D == 3)
+    squares = improved<TractionSweeps>(mesh, tractions.values, sweeps, imbalance);
+  else
+    squares = degree == 1 ? improved<AirySweeps<1>>(mesh, tractions.values, sweeps, imbalance)
+                          : improved<AirySweeps<2>>(mesh, tractions.values, sweeps, imbalance);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, imbalance, Teuchos::outArg(bound.imbalance));
   if (bound.imbalance > kInEquilibrium) parts.reasons.insert("stresses are not exactly in equilibrium");
   bound.exists = true;
   bound.reasons = everywhere(comm, parts.reasons);
