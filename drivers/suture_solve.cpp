@@ -48,7 +48,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   prepared.startFrom(options.restart);
   SolvedScene solved = solve(std::move(prepared));
   if (solved.solution().stopped) stopIsHeard();
-  const JudgedScene judged = judge(std::move(solved));
+  const JudgedScene judged = refine(judge(std::move(solved)));
   stopIsHeard();
   const RunResult result = judged.report(invocation);
   monitor.countWarnings();

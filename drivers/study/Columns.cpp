@@ -30,6 +30,26 @@ bool isKnown(const std::string& path) {
   return std::any_of(known.begin(), known.end(), [&](const std::string& one) { return leadsAlong(names, one); });
 }
 
+// Lists in a summary ("accuracy.levels"), or the keys of their entries ("accuracy.levels.unknowns").
+std::vector<std::string> listPaths(bool keys) {
+  std::vector<std::string> all;
+  const std::string entry = ".<number>.";
+  for (const std::string& known : summaryPaths()) {
+    const std::size_t at = known.find(entry);
+    if (at == std::string::npos) continue;
+    const std::string path = known.substr(0, at) + (keys ? known.substr(at + entry.size() - 1) : "");
+    const bool isPlain = path.find('<') == std::string::npos;
+    if (isPlain && std::find(all.begin(), all.end(), path) == all.end()) all.push_back(path);
+  }
+  return all;
+}
+
+void checkLists(const std::vector<std::string>& names, const std::vector<std::string>& known, const std::string& what,
+                const std::string& path, Problems& problems) {
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end()) problems.add(path, unknownName(what, name, known));
+}
+
 }  // namespace
 
 const std::vector<std::pair<std::string, std::string>>& namedColumns() {
@@ -73,6 +93,8 @@ Formula columnFormula(const std::string& text, const std::string& path, Problems
     else if (!isKnown(name))
       problems.add(path, unknownName("column", name, known));
   }
+  checkLists(formula.sums(), listPaths(true), "key of a list", path, problems);
+  checkLists(formula.counts(), listPaths(false), "list", path, problems);
   return formula;
 }
 

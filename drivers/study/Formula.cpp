@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Expression.hpp>
@@ -33,6 +34,25 @@ TableCell norm(const Json* vector) {
   for (const Json& component : *vector) squares += component.is_number() ? std::pow(component.get<double>(), 2) : std::nan("");
   return finite(std::sqrt(squares), false);
 }
+
+// The sum of the values of a key in all entries of a list; empty if an entry has no number.
+TableCell sum(const Json& summary, const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  const Json* list = dot == std::string::npos ? nullptr : findEntry(summary, path.substr(0, dot));
+  if (!list || !list->is_array()) return {};
+  const std::string key = path.substr(dot + 1);
+  double total = 0.0;
+  bool integer = true;
+  for (const Json& entry : *list) {
+    const TableCell cell = entry.is_object() && entry.contains(key) ? entryCell(&entry[key]) : TableCell{};
+    if (!cell.isNumber()) return {};
+    total += cell.number;
+    integer = integer && cell.kind == TableCell::Kind::Integer;
+  }
+  return finite(total, integer);
+}
+
+TableCell count(const Json* list) { return list && list->is_array() ? finite(static_cast<double>(list->size()), true) : TableCell{}; }
 
 // True for a sign between two operands. Names contain no * or /. A + or - may belong to a number (1e-5, -1), and a - to a name
 // (left-side): a minus after a name is an operator if it has a blank or a parenthesis on both sides. `word`: the text between the last mark
@@ -81,15 +101,16 @@ const Json* findEntry(const Json& summary, const std::string& path) {
 Formula::Formula(const std::string& text) {
   const auto wrong = [&text](const std::string& what) -> InputError { return InputError("", "'" + text + "': " + what); };
   std::vector<std::string> functions = Expression::functions();
-  functions.emplace_back("norm");
-  bool inNorm = false;
+  const std::map<std::string, Piece::Kind> ofPaths{{"norm", Piece::Kind::Norm}, {"sum", Piece::Kind::Sum}, {"count", Piece::Kind::Count}};
+  for (const auto& [name, kind] : ofPaths) functions.push_back(name);
+  std::string inside;         // the function of a path that has just begun
   int open = 0;               // parentheses
   bool isBehindWord = false;  // a word has just ended
   for (std::size_t at = 0; at < text.size();) {
     if (isBehindWord || isMark(text, at, "")) {
       isBehindWord = false;
       integer_ = integer_ && text[at] != '/';
-      inNorm = inNorm && text[at] == '(';
+      if (text[at] != '(') inside.clear();
       open += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
       if (open < 0) throw wrong("unexpected ')' at '" + text.substr(at) + "'");
       pieces_.push_back({Piece::Kind::Plain, std::string(1, text[at++])});
@@ -103,18 +124,22 @@ Formula::Formula(const std::string& text) {
     if (word.empty()) continue;
     if (at < text.size() && text[at] == '(') {
       if (std::find(functions.begin(), functions.end(), word) == functions.end()) throw wrong(unknownName("function", word, functions));
-      inNorm = word == "norm";
-      if (!inNorm) pieces_.push_back({Piece::Kind::Plain, word});
-      integer_ = integer_ && (word == "abs" || word == "max" || word == "min");
+      inside = ofPaths.count(word) > 0 ? word : "";
+      if (inside.empty()) pieces_.push_back({Piece::Kind::Plain, word});
+      integer_ = integer_ && (word == "abs" || word == "max" || word == "min" || word == "sum" || word == "count");
     } else if (const auto number = parseReal(word)) {
       pieces_.push_back({Piece::Kind::Plain, "(" + word + ")"});
       integer_ = integer_ && *number == std::floor(*number);
     } else {
-      const bool alone = inNorm && at < text.size() && text[at] == ')';
-      pieces_.push_back({alone ? Piece::Kind::Norm : Piece::Kind::Figure, word});
-      if (alone) inNorm = false;
+      const bool alone = !inside.empty() && at < text.size() && text[at] == ')';
+      pieces_.push_back({alone ? ofPaths.at(inside) : Piece::Kind::Figure, word});
+      if (alone) inside.clear();
     }
-    if (inNorm && (at >= text.size() || text[at] != '(')) throw wrong("the argument of norm is the path of a vector");
+    if (!inside.empty() && (at >= text.size() || text[at] != '('))
+      throw wrong("the argument of " + inside + " is the path of a " +
+                  (inside == "norm"  ? "vector"
+                   : inside == "sum" ? "list and a key"
+                                     : "list"));
   }
   if (open > 0) throw wrong("expected ')' at the end");
   // Parse once with numbers in place of the figures to find syntax errors.
@@ -137,7 +162,14 @@ Formula::Formula(const std::string& text) {
 std::vector<std::string> Formula::paths() const {
   std::vector<std::string> all;
   for (const Piece& piece : pieces_)
-    if (piece.kind != Piece::Kind::Plain) all.push_back(piece.text);
+    if (piece.kind == Piece::Kind::Figure || piece.kind == Piece::Kind::Norm) all.push_back(piece.text);
+  return all;
+}
+
+std::vector<std::string> Formula::pathsOf(Piece::Kind kind) const {
+  std::vector<std::string> all;
+  for (const Piece& piece : pieces_)
+    if (piece.kind == kind) all.push_back(piece.text);
   return all;
 }
 
@@ -160,6 +192,12 @@ void Formula::substitute(const std::string& path, const Formula& meaning) {
   pieces_ = std::move(replaced);
 }
 
+TableCell Formula::valueOf(const Piece& piece, const Json& summary) {
+  if (piece.kind == Piece::Kind::Sum) return sum(summary, piece.text);
+  const Json* entry = findEntry(summary, piece.text);
+  return piece.kind == Piece::Kind::Norm ? norm(entry) : piece.kind == Piece::Kind::Count ? count(entry) : entryCell(entry);
+}
+
 TableCell Formula::evaluate(const Json& summary) const {
   if (pieces_.size() == 1 && pieces_[0].kind == Piece::Kind::Figure) return entryCell(findEntry(summary, pieces_[0].text));
   Constants figures;
@@ -170,8 +208,7 @@ TableCell Formula::evaluate(const Json& summary) const {
       form += pieces_[i].text;
       continue;
     }
-    const Json* entry = findEntry(summary, pieces_[i].text);
-    const TableCell cell = pieces_[i].kind == Piece::Kind::Norm ? norm(entry) : entryCell(entry);
+    const TableCell cell = valueOf(pieces_[i], summary);
     if (!cell.isNumber()) return {};
     integer = integer && cell.kind == TableCell::Kind::Integer;
     figures.numbers[standIn(i)] = cell.number;

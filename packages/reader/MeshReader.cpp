@@ -219,7 +219,10 @@ Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folde
   return readMesh(comm, mesh, folder, unused);
 }
 
-Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder, SideDescriptions& descriptions) {
+namespace {
+
+Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder, const MeshChanges& changes,
+              SideDescriptions& descriptions) {
   Source source;
   collectively(comm, "reading the scene's Mesh", [&] { source = sourceOf(mesh, folder); });
   if (source.extension == ".h5") return readHdf5Mesh(comm, source.path);
@@ -237,16 +240,34 @@ Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folde
     GmshInput input;
     input.path = source.path;
     input.constants = source.constants;
-    input.meshSizeFactor = source.factor;
+    input.meshSizeFactor = source.factor * changes.factor;
     input.seconds = mesh.get<double>("Time Limit");
     input.allowPrograms = mesh.get<bool>("Allow Programs");
-    input.order = source.order;
+    input.order = source.order == 0 ? changes.order : source.order;
+    input.simplices = changes.simplices;
+    input.sizes = changes.sizes;
     input.largest = source.largest;
     input.unit = source.unit;
     if (mesh.get<bool>("Cache")) input.cache = meshCacheFolder();
     made = readGmsh(input, &descriptions);
   });
   return made;
+}
+
+}  // namespace
+
+Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder, SideDescriptions& descriptions) {
+  return readMesh(comm, mesh, folder, MeshChanges{}, descriptions);
+}
+
+Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder, const MeshChanges& changes) {
+  SideDescriptions unused;
+  return readMesh(comm, mesh, folder, changes, unused);
+}
+
+bool isGeometry(const Parameters& mesh, const std::string& folder) {
+  const Source source = sourceOf(mesh, folder);
+  return source.extension == ".geo" || source.cad != CadFormat::None;
 }
 
 }  // namespace suture

@@ -126,6 +126,18 @@ std::string boundText(const Solution& answer, int dimension) {
   return "   error in the energy norm, estimated: " + value + "; no bound, because " + reasons + "\n";
 }
 
+// "   accuracy: error of the energy norm 0.82 % (bound), requested 1 %; 2 meshes"
+std::string accuracy(const Run& run) {
+  if (!run.accuracy) return "";
+  const AccuracyReached& reached = *run.accuracy;
+  const std::string failure = reached.failure();
+  if (!failure.empty()) return "   " + run.monitor.in(RunMonitor::Colour::Bad, "ACCURACY NOT REACHED: ") + failure + "\n";
+  const std::string name = reached.quantity == AccuracyRequest::kEnergy ? "the energy norm" : "'" + reached.quantity + "'";
+  return format("   accuracy: the error of %s is %s %.2g %%, requested %.3g %%; %s\n", name.c_str(), reached.strict ? "at most" : "about",
+                100 * reached.reached, 100 * reached.requested,
+                reached.levels.size() == 1 ? "1 mesh" : (grouped(static_cast<long long>(reached.levels.size())) + " meshes").c_str());
+}
+
 fs::path fileOf(const Run& run, const std::string& name) { return fs::path(run.folder) / name; }
 
 /// "   to try: ..., from where this run ended: --restart "out/checkpoint.h5" --set "Outer Solver/Maximum Iterations=10"" at the limit.
@@ -190,7 +202,7 @@ void printFooter(std::ostream& console, const Run& run, const RunFigures& figure
   console << ending(run, figures.largestDisplacement) << "\n"
           << verdict(run.monitor, run.solution.verification) << meshError(run.solution) << whatToTry(run) << pathWork(run)
           << exactErrors(run.solution.errors) << estimatedErrors(run.solution) + boundText(run.solution, run.model.dimension)
-          << extremesText(run, figures.dimension);
+          << accuracy(run) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB per rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;

@@ -5,12 +5,14 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/report/AccuracyRequest.hpp>
 #include <suture/report/Invocation.hpp>
 #include <suture/report/RunMonitor.hpp>
 #include <suture/report/Steps.hpp>
 #include <suture/solver/ProblemSize.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +38,8 @@ struct Run {
   /// Names of all contacts of the load steps (StepRow::forceOnB), of which a scene whose bodies are removed or placed may now have only
   /// some.
   std::vector<std::string> contactsOfPath{};
-  std::shared_ptr<const void> owned{};  ///< holder of referenced objects that nothing else holds
+  std::optional<AccuracyReached> accuracy{};  ///< result of a request for accuracy (list `Accuracy`)
+  std::shared_ptr<const void> owned{};        ///< holder of referenced objects that nothing else holds
 };
 
 /// The number of space dimensions of the run, also on ranks without subdomains. Collective.

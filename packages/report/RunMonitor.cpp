@@ -66,7 +66,38 @@ void RunMonitor::note(const std::string& text) {
   if (warning && strict_) throw InputError("--strict", text);
   if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) return;
   notes_.push_back(text);
-  if (console_) *console_ << (warning ? "   " + in(Colour::Warning, text) : "   note: " + text) << std::endl;
+  if (!inLevels_) print(text);
+}
+
+void RunMonitor::print(const std::string& note) const {
+  if (console_) *console_ << (isWarning(note) ? "   " + in(Colour::Warning, note) : "   note: " + note) << std::endl;
+}
+
+void RunMonitor::beginLevel() {
+  inLevels_ = true;
+  rowsBefore_ = std::move(rows_);
+  notesBefore_ = std::move(notes_);
+  rows_.clear();
+  notes_.clear();
+}
+
+void RunMonitor::dropLevel() {
+  rows_ = std::move(rowsBefore_);
+  notes_ = std::move(notesBefore_);
+}
+
+void RunMonitor::endLevel(int number, const AccuracyLevel& level) {
+  if (!console_) return;
+  if (number == 0 || verbose_) *console_ << "level    unknowns    elements     error             PCG   outer    seconds   mesh\n";
+  *console_ << format("%5d%12s%12s%9.3g %% %-8s%6d%8d%11.2f   %s", number, grouped(level.unknowns).c_str(), grouped(level.elements).c_str(),
+                      100 * level.error, level.strict ? "bound" : "estimate", level.iterations, level.outer, level.seconds,
+                      level.refinement.c_str())
+            << std::endl;
+}
+
+void RunMonitor::endLevels() {
+  inLevels_ = false;
+  for (const std::string& text : notes_) print(text);
 }
 
 void RunMonitor::inner(int iteration, double relativeResidual) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
+#include <suture/report/AccuracyRequest.hpp>
 #include <suture/report/History.hpp>
 #include <suture/report/Steps.hpp>
 
@@ -36,6 +37,16 @@ class RunMonitor : public Monitor {
   /// Prints the row of a load step.
   void endStep(const StepRow& row);
 
+  /// Begins a mesh of a run with a request for accuracy: rows and notes of the mesh before are dropped, and neither rows nor notes are
+  /// printed. All notes are kept until showNotes().
+  void beginLevel();
+  /// Prints the row of a mesh. \param number  from 0 on
+  void endLevel(int number, const AccuracyLevel& level);
+  /// Ends a mesh without a solution: the rows and notes of the mesh before count again.
+  void dropLevel();
+  /// Ends the sequence of meshes: prints the notes of the last one.
+  void endLevels();
+
   /// Also appends each row to the file of a LiveHistory.
   void recordIn(const std::string& path) { live_ = std::make_unique<LiveHistory>(path); }
 
@@ -57,13 +68,17 @@ class RunMonitor : public Monitor {
  private:
   std::ostream* console_;
   bool verbose_, strict_, coloured_ = false;
-  bool printsRows() const { return console_ && (loadStep_ == 0 || verbose_); }
+  bool inLevels_ = false;
+  bool printsRows() const { return console_ && ((loadStep_ == 0 && !inLevels_) || verbose_); }
+  void print(const std::string& note) const;
 
   int loadStep_ = 0;
   double energyShift_ = 0.0;
   std::function<bool()> stop_;
   std::vector<OuterRow> rows_;
   std::vector<std::string> notes_;
+  std::vector<OuterRow> rowsBefore_;  // rows of the mesh before
+  std::vector<std::string> notesBefore_;
   std::unique_ptr<LiveHistory> live_;
 };
 

@@ -5,6 +5,7 @@
 #include <suture/elasticity/materials/MaterialFiles.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/reader/MeshReader.hpp>
+#include <suture/report/AccuracyRequest.hpp>
 #include <suture/report/OutputSchema.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/SolverSchema.hpp>
@@ -52,6 +53,7 @@ Schema schemaOf(bool inFile) {
   scene.list("Exact Solution", exactSolutionSchema());
   scene.list("Partition", partitionSchema());
   addSolverParameters(scene);
+  scene.list("Accuracy", AccuracyRequest::schema());
   scene.list("Output", outputSchema());
   scene.list("Report", headerSchema());
   return scene;

@@ -134,6 +134,25 @@ Json verification(const Verification& verdict) {
   return all;
 }
 
+Json accuracy(const AccuracyReached& reached) {
+  Json levels = Json::array();
+  for (const AccuracyLevel& level : reached.levels)
+    levels.push_back({{"unknowns", level.unknowns},
+                      {"elements", level.elements},
+                      {"error", level.error},
+                      {"strict", level.strict},
+                      {"seconds", level.seconds},
+                      {"iterations", level.iterations},
+                      {"outer", level.outer},
+                      {"energy", level.energy},
+                      {"refinement", level.refinement}});
+  Json all = {{"requested", reached.requested}, {"quantity", reached.quantity}, {"reached", reached.reached},
+              {"strict", reached.strict},       {"limit", reached.limit},       {"levels", levels}};
+  if (reached.uniform)
+    all["uniform"] = {{"order", reached.uniform->order}, {"unknowns", reached.uniform->unknowns}, {"seconds", reached.uniform->seconds}};
+  return all;
+}
+
 Json loadSteps(const Run& run, int dimension) {
   const std::vector<StepRow>& steps = run.steps;
   const auto forces = [&](const StepRow& row) {
@@ -243,6 +262,7 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
     };
     if (!answer.rigidGroups.empty()) summary["rigid_groups"] = rigidGroupsJson(run, dimension);
     if (!answer.safety.ofBodies.empty()) summary["safety"] = safetyJson(run, dimension);
+    if (run.accuracy) summary["accuracy"] = accuracy(*run.accuracy);
     if (answer.bound) summary["bound"] = bound(*answer.bound);
     if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
     // Text that is not UTF-8 (a title in Latin-1) must not make the results unwritable.

@@ -13,6 +13,7 @@ namespace {
 
 Scene withoutSteps(Scene scene) {
   if (!scene.steps.empty()) throw InputError("Load Steps", "not available in a coupled scene: the coupling program controls the steps");
+  if (scene.accuracy) throw InputError("Accuracy/Error", "not available in a coupled scene: its surfaces belong to one mesh");
   if (hasControlledLoads(scene))
     throw InputError("coupling",
                      "a coupled scene cannot have a Mean Displacement or a Preload: their amounts are found for one set of loads only");

@@ -34,7 +34,7 @@ bool hasOwnPhysics(const Comm& comm, const Subdomains& subdomains) {
 }  // namespace
 
 bool wantsErrorEstimate(const Parameters& settings) {
-  return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings);
+  return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings) || AccuracyRequest::of(settings);
 }
 
 bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("Output").get<bool>("Nodal Stresses"); }

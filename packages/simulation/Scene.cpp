@@ -7,6 +7,7 @@
 #include <suture/reader/MeshReader.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/report/Units.hpp>
+#include <suture/simulation/AdaptiveMeshes.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/Scene.hpp>
 #include <suture/simulation/SoftenedContacts.hpp>
@@ -58,8 +59,8 @@ Condition conditionOf(const ElasticSupport& support, const std::string& name) {
 
 /// Refuses assignments to parameters that the objects of the scene define, because they would have no effect.
 void refuseObjects(const std::vector<std::string>& settings, Problems& problems) {
-  const std::set<std::string> objects{"Model",   "Mesh",      "Bodies",    "Materials",     "Boundary Conditions",
-                                      "Contact", "Constants", "Functions", "Exact Solution"};
+  const std::set<std::string> objects{"Model",   "Mesh",      "Bodies",    "Materials",      "Boundary Conditions",
+                                      "Contact", "Constants", "Functions", "Exact Solution", "Accuracy"};
   for (const std::string& assignment : settings) {
     const std::string path = assignment.substr(0, assignment.find('='));
     const std::string list = path.substr(0, path.find('/'));
@@ -155,6 +156,7 @@ Scene sceneOf(const SceneFile& file) {
     scene.levels.push_back(sceneOf(level));
     scene.levels.back().isOneStep = true;
   }
+  prepareAccuracy(scene);
   return scene;
 }
 

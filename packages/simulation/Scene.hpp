@@ -6,9 +6,13 @@
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/pairs/ContactSurface.hpp>
+#include <suture/reader/gmsh/SizeField.hpp>
+#include <suture/report/AccuracyRequest.hpp>
 #include <suture/solver/MakeSubdomains.hpp>
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +27,17 @@ struct Scene {
   /// Rules, pairs and pieces of the mesh with its bodies, without contact laws. On rank 0.
   std::function<Constraints(const Mesh&)> constraints;
   ElasticModel model;
-  std::vector<SubdomainKind> kinds;   ///< physics of each body; empty: all elastic
-  std::vector<std::string> contacts;  ///< names of the contact lines; the springs of a softened contact are lines of one name
-  std::vector<ContactLine> lines{};   ///< contact lines; empty: none is softened
-  LoadSteps steps{};                  ///< load steps; empty: all loads at once
-  bool isOneStep = false;             ///< only the first step is requested
-  ContactLaws laws;                   ///< laws of the contact lines; empty: frictionless
-  SceneFile file;                     ///< resolved settings of all packages and their origin, for the record of a run
-  std::vector<Scene> levels;          ///< the scene on coarser meshes for a nested start, coarsest first
+  std::vector<SubdomainKind> kinds;           ///< physics of each body; empty: all elastic
+  std::vector<std::string> contacts;          ///< names of the contact lines; the springs of a softened contact are lines of one name
+  std::vector<ContactLine> lines{};           ///< contact lines; empty: none is softened
+  LoadSteps steps{};                          ///< load steps; empty: all loads at once
+  bool isOneStep = false;                     ///< only the first step is requested
+  ContactLaws laws;                           ///< laws of the contact lines; empty: frictionless
+  SceneFile file;                             ///< resolved settings of all packages and their origin, for the record of a run
+  std::vector<Scene> levels;                  ///< the scene on coarser meshes for a nested start, coarsest first
+  std::optional<AccuracyRequest> accuracy{};  ///< nothing: the scene is solved on its own mesh
+  /// Meshes the geometry of the scene with other sizes, which rank 0 has; empty: there is no geometry. Collective.
+  std::function<Mesh(const Comm&, std::shared_ptr<const SizeField>)> remesh{};
 
   const Parameters& settings() const { return *file.parameters; }
   /// Names of the entries of the list `Contact`.

@@ -151,6 +151,7 @@ Run runOf(const SceneParts& parts, const Solution& solution, const Invocation& i
           parts.scene.entries(),
           parts.path ? parts.path->rows : std::vector<StepRow>(),
           parts.contactsOfPath(),
+          std::nullopt,
           joined};
 }
 

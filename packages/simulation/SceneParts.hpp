@@ -46,8 +46,11 @@ struct SceneParts {
   /// Pair of a placed body -> part of its gap by which the body fits to a deformed side [length]; on rank 0.
   std::map<int, double> fits{};
   std::vector<Vector> reference{};  ///< displacements at the time of `Output/Displacements Since`, by mesh; empty before
-  double megabytes = 0.0;           ///< memory for all ranks, estimated
-  double liftWork = 0.0;            ///< work of the loads in the rigid motions removed, missing in the energies of the method
+  /// With a request for accuracy: the scene as given, and its mesh with the bodies, on rank 0, for the next mesh; else null.
+  std::shared_ptr<const Scene> given{};
+  std::shared_ptr<const Mesh> whole{};
+  double megabytes = 0.0;  ///< memory for all ranks, estimated
+  double liftWork = 0.0;   ///< work of the loads in the rigid motions removed, missing in the energies of the method
 
   /// Time at which the present phase begins; zero without phases.
   double begin() const { return plan ? plan->phases.begin(phaseNumber) : 0.0; }

@@ -7,7 +7,7 @@ const Solution& Simulation::solve(const std::string& restart) {
     PreparedScene prepared = prepare(check(cut(read(run_, scene_))));
     prepared.remark();
     prepared.startFrom(restart);
-    judged_ = judge(suture::solve(std::move(prepared)));
+    judged_ = refine(judge(suture::solve(std::move(prepared))));
   }
   return judged_->solution();
 }

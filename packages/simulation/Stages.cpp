@@ -54,6 +54,7 @@ std::unique_ptr<SceneParts> partsOfPhase(const RunContext& run, std::shared_ptr<
 }  // namespace
 
 MeshedScene read(RunContext run, Scene scene) {
+  if (scene.accuracy) run.monitor().beginLevel();
   if (std::shared_ptr<const PhasePlan> plan = planOf(run, scene)) return MeshedScene::of(partsOfPhase(run, std::move(plan), 0));
   return MeshedScene::of(std::make_unique<SceneParts>(std::move(run), std::move(scene)));
 }
@@ -62,12 +63,14 @@ MeshedScene MeshedScene::of(std::unique_ptr<SceneParts> given) {
   MeshedScene result;
   result.parts_ = std::move(given);
   SceneParts& parts = *result.parts_;
+  if (parts.scene.accuracy) parts.given = std::make_shared<const Scene>(parts.scene);
   result.method_ = makeMethod(parts.scene.settings(), !parts.scene.contacts.empty());
   parts.isWhole = result.method_->needsWholeMesh() || !isCut(parts.scene);
   if (!parts.isWhole) return result;
   timed(parts.run.timers(), "read", [&] {
     parts.mesh = readBodies(parts.run.comm(), parts.scene);
     parts.constraints = readConstraints(parts.run.comm(), parts.mesh, parts.scene);
+    if (parts.given) parts.whole = std::make_shared<const Mesh>(parts.mesh);
   });
   return result;
 }
@@ -176,6 +179,8 @@ void PreparedScene::remark() const {
 
 void PreparedScene::startFrom(const std::string& restart) {
   SceneParts& parts = *parts_;
+  if (!restart.empty() && parts.scene.accuracy)
+    throw InputError("--restart", restart + " belongs to one mesh, but Accuracy/Error makes a sequence of meshes; leave out one of them");
   if (!restart.empty() && parts.plan) {
     goOnInPhase(restart);
     return;
@@ -325,10 +330,19 @@ ExitCode endingOf(const Solution& solution, const std::string& unfinished) {
   return unfinished.empty() && solution.isValid() ? ExitCode::Done : solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
 }
 
-ExitCode JudgedScene::ending() const { return endingOf(solution_, unfinished_); }
+ExitCode JudgedScene::ending() const {
+  const ExitCode code = endingOf(solution_, unfinished_);
+  return code == ExitCode::Done && accuracy_ && !accuracy_->isMet() ? ExitCode::Numerical : code;
+}
+
+Run JudgedScene::asRun(const Invocation& invocation) const {
+  Run run = runOf(*parts_, solution_, invocation);
+  run.accuracy = accuracy_;
+  return run;
+}
 
 std::string JudgedScene::summary(const Invocation& invocation) const {
-  const Run run = runOf(*parts_, solution_, invocation);
+  const Run run = asRun(invocation);
   return summaryText(run, runFigures(run), ending());
 }
 
@@ -340,8 +354,8 @@ RunResult JudgedScene::report(const Invocation& invocation) const {
   const Parameters& output = parts_->scene.settings().sublist("Output");
   // First, because a stop request must be honoured before the remaining steps.
   const bool isKept = parts_->followsPath() && !parts_->path->rows.empty();  // by the last step
-  if (!isKept && (code != ExitCode::Done || output.get<bool>("Checkpoint"))) writeState(*parts_, solution_);
-  const Run run = runOf(*parts_, solution_, invocation);
+  if (!isKept && (endingOf(solution_, unfinished_) != ExitCode::Done || output.get<bool>("Checkpoint"))) writeState(*parts_, solution_);
+  const Run run = asRun(invocation);
   const Written written = writeReport(run, code);
   if (!isKept && code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 &&
       context.comm().getRank() == 0) {
@@ -354,7 +368,7 @@ RunResult JudgedScene::report(const Invocation& invocation) const {
 
 void JudgedScene::writeTo(const std::string& folder) const {
   const RunFolder locked(parts_->run.comm(), folder);
-  Run run = runOf(*parts_, solution_);
+  Run run = asRun();
   run.folder = folder;
   if (!run.steps.empty() && wantsFields(parts_->scene.settings())) writeStepFields(run, run.steps);
   writeReport(run, ending());

@@ -16,7 +16,7 @@ namespace suture {
 // The stages from a scene to its verified solution. Each stage takes the result of the previous one, which it uses up: another order does
 // not compile.
 //
-//     JudgedScene judged = judge(solve(prepare(check(cut(read(run, scene))))));
+//     JudgedScene judged = refine(judge(solve(prepare(check(cut(read(run, scene)))))));
 //
 // All functions are collective, except const members. Only the monitor of the run prints, and files are written only after
 // RunContext::writeInto(). Errors of any kind are the same on all ranks.
@@ -154,6 +154,8 @@ class JudgedScene {
   const std::vector<SubdomainMesh>& meshes() const { return parts_->cut.meshes; }  ///< subdomains of this rank
   const ProblemSize& size() const { return parts_->size; }
   const Solution& solution() const { return solution_; }
+  /// After refine(), of a scene with a request for accuracy; else nothing.
+  const std::optional<AccuracyReached>& accuracy() const { return accuracy_; }
   ExitCode ending() const;
   /// Text of summary.json on rank 0, empty on other ranks. Writes no file. Collective. \param invocation  for the record
   std::string summary(const Invocation& invocation = {}) const;
@@ -174,15 +176,24 @@ class JudgedScene {
 
  private:
   friend JudgedScene judge(SolvedScene solved);
+  friend JudgedScene refine(JudgedScene judged);
+  friend class AdaptiveLevels;
   explicit JudgedScene(SolvedScene solved)
       : parts_(std::move(solved.parts_)), solution_(std::move(solved.solution_)), unfinished_(std::move(solved.unfinished_)) {}
+  Run asRun(const Invocation& invocation = {}) const;
   std::unique_ptr<SceneParts> parts_;
   Solution solution_;
   std::string unfinished_;
+  std::optional<AccuracyReached> accuracy_;
 };
 
 /// Settles undetermined motions, computes errors and verifies the solution.
 JudgedScene judge(SolvedScene solved);
+
+/// With a request for accuracy (Scene::accuracy): solves the scene on finer and finer meshes until the error is small enough, or a limit is
+/// reached (AccuracyReached), and returns the answer on the last mesh. Otherwise returns the argument.
+/// \throws Error  of any stage, on any mesh
+JudgedScene refine(JudgedScene judged);
 
 /// Exit code of a verified solution. \param unfinished  reason why a path ended early, or empty
 ExitCode endingOf(const Solution& solution, const std::string& unfinished = "");

@@ -169,7 +169,7 @@ void PythonRun::solve(const std::optional<std::string>& output, const std::strin
     PreparedScene prepared = prepare(check(cut(read(run, parts_->scene))));
     prepared.remark();
     prepared.startFrom(restart);
-    parts_->judged = judge(suture::solve(std::move(prepared)));
+    parts_->judged = refine(judge(suture::solve(std::move(prepared))));
     Invocation invocation;
     if (!restart.empty()) collectively(*parts_->comm, "reading " + restart, [&] { invocation.restart = usedFile(restart); });
     summary_ = output ? parts_->judged->report(invocation).summary : parts_->judged->summary(invocation);

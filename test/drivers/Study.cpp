@@ -44,6 +44,19 @@ TEUCHOS_UNIT_TEST(Formula, CalculatesInTheUsualOrder) {
   TEST_EQUALITY(number("1000 * dofs / subdomains"), 12500.0);
 }
 
+TEUCHOS_UNIT_TEST(Formula, SumsAndCountsTheEntriesOfAList) {
+  const Json levels =
+      Json::parse(R"({"accuracy": {"levels": [{"unknowns": 10, "seconds": 0.5}, {"unknowns": 32, "seconds": 0.25}]}, "no": []})");
+  const auto value = [&](const char* text) { return Formula(text).evaluate(levels); };
+  TEST_EQUALITY(value("sum(accuracy.levels.unknowns)").number, 42.0);
+  TEST_ASSERT(value("sum(accuracy.levels.unknowns)").kind == study::TableCell::Kind::Integer);
+  TEST_EQUALITY(value("2 * sum(accuracy.levels.seconds) + count(accuracy.levels)").number, 3.5);
+  TEST_EQUALITY(value("sum(accuracy.levels.unknowns) / accuracy.levels.1.unknowns").number, 42.0 / 32.0);
+  TEST_EQUALITY(value("count(no)").number, 0.0);
+  for (const char* text : {"sum(accuracy.levels.nothing)", "sum(nothing.here)", "sum(accuracy.levels)", "count(accuracy)"})
+    TEST_ASSERT(value(text).kind == study::TableCell::Kind::Empty);
+}
+
 TEUCHOS_UNIT_TEST(Formula, NeedsNoBlanksButAroundAMinusBehindAName) {
   TEST_EQUALITY(number("1000*dofs"), 1e5);
   TEST_EQUALITY(number("dofs*1000/subdomains"), 12500.0);
@@ -71,19 +84,23 @@ TEUCHOS_UNIT_TEST(Formula, AMissingFigureMakesAnEmptyCell) {
 }
 
 TEUCHOS_UNIT_TEST(Formula, SaysWhatIsWrong) {
-  for (const char* text : {"", "(1", "1 +", "max(", "max()", "1 2)", "norm(1 + 2)", "abs(1, 2)"}) TEST_INEQUALITY(complaint(text), "");
+  for (const char* text :
+       {"", "(1", "1 +", "max(", "max()", "1 2)", "norm(1 + 2)", "abs(1, 2)", "sum(1 + 2)", "sum()", "count(2)", "sum(a, b)"})
+    TEST_INEQUALITY(complaint(text), "");
   TEST_INEQUALITY(complaint("nrom(a)").find("Did you mean 'norm'?"), std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(StudyColumns, KnowTheSummaryBeforeThereIsOne) {
   Problems problems;
   for (const char* text : {"pcg", "phases.read.max", "contact.force.fault above", "contact.force.fault above.0", "outer.estimates.mu",
-                           "parameters.Outer Solver.Tolerance", "mine = pcg / steps", "1000 * setup_seconds / subdomains"})
+                           "parameters.Outer Solver.Tolerance", "mine = pcg / steps", "1000 * setup_seconds / subdomains",
+                           "count(neutral_motions) + 1", "sum(undetermined_forces.pairs)"})
     readColumn(text, "Columns", problems);
   TEST_ASSERT(problems.empty());
-  for (const char* text : {"outre.iterations", "outer", "phases.read", "a = b", "= pcg", "contact.force.fault above.0.0"})
+  for (const char* text : {"outre.iterations", "outer", "phases.read", "a = b", "= pcg", "contact.force.fault above.0.0",
+                           "sum(neutral_motions)", "count(neutral_motion)"})
     readColumn(text, "Columns", problems);
-  TEST_EQUALITY(problems.list().size(), 6u);
+  TEST_EQUALITY(problems.list().size(), 8u);
   TEST_INEQUALITY(problems.list().front().message.find("Did you mean 'outer.iterations'?"), std::string::npos);
   const study::Column pcg = readColumn("pcg", "Columns", problems);
   TEST_EQUALITY(pcg.formula.evaluate(summary).number, 31.0);

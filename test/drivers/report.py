@@ -20,7 +20,7 @@ from PIL import Image, ImageChops
 from harness import arguments, check, finish, forked, run, setting
 
 SECTIONS = ["answers", "mesh", "deformation", "von_mises", "principal", "contact", "scene", "reactions", "verdict", "error", "convergence", "cost", "provenance"]
-SOMETIMES = ["state", "view", "steps", "probes", "pieces", "path"]
+SOMETIMES = ["state", "view", "steps", "probes", "accuracy", "pieces", "path"]
 EMPTY = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 options = arguments("--solve", "--plot", "--input")
 scenes = Path(options.input)
@@ -250,6 +250,90 @@ check("rigid groups: point, displacement without round-off, rotation", [numbers(
 check("safety: exceeded", [line.find(".//span").get("class") for line in lines], ["fails", "holds", "soft"])
 check("safety: the answer is not valid there", "not valid there" in "".join(lines[0].itertext()), True)
 
+# A bound of the error, strict or estimated, in the answers and among the errors.
+check("without a bound", (tree.find(".//p[@id='bound_sentence']"), tree.find(".//section[@id='accuracy']")), (None, None))
+TOTAL, REASON = "total, energy norm: ", "sides of contact 'touch' do not match"
+for strict in (True, False):
+    summary["bound"] = {"total": 12.5, "discretisation": 12.0, "algebraic": 3.5, "oscillation": 0.25, "relative": 0.00871, "strict": strict,
+                        "reasons": [] if strict else [REASON], "energy_lower": -401.0, "energy_upper": -400.0}
+    (noted / "summary.json").write_text(json.dumps(summary))
+    check(f"bound, strict {strict}: suture_plot", plot(noted)[0], 0)
+    tree, _ = page_of(f"bound, strict {strict}", noted)
+    check(f"bound, strict {strict}: rows", (row(tree, "error", TOTAL + ("strict bound" if strict else "estimate")), row(tree, "error", "\u2003of it: mesh"),
+                                            row(tree, "error", "\u2003of it: solver"), row(tree, "error", "exact energy lies between")),
+          ([12.5, 0.00871], [12.0], [3.5], [-401.0, -400.0] if strict else None))
+    answers = said(tree, "answers")
+    # 0.871 % is above 0.87 %: the text of a bound is rounded up, that of an estimate to the nearest.
+    check(f"bound, strict {strict}: in the answers", ("at most 0.88 %" in answers, "about 0.87 %" in answers, REASON in answers), (strict, not strict, not strict))
+
+# An adaptive run: its picture, a sentence and a table of its meshes.
+MESHES = [(1000, 0.2, True, 0.5), (2000, 0.1, False, 1.0), (4000, 0.05, True, 2.0), (8000, 0.025, True, 4.0), (16000, 0.0125, True, 8.0)]
+adaptive = {"requested": 0.013, "quantity": "Energy", "reached": 0.0125, "strict": True, "limit": "", "uniform": {"order": 2, "unknowns": 163270, "seconds": 9000},
+            "levels": [{"unknowns": n, "elements": n // 4, "error": error, "strict": strict, "seconds": seconds, "iterations": 17, "outer": 2, "energy": -400.5,
+                        "refinement": "bisection" if n > 1000 else "start"} for n, error, strict, seconds in MESHES]}
+
+
+def adapted(name, **changes):
+    """Page and sentence of the planted run with changes of its key `accuracy`."""
+    summary["accuracy"] = {**adaptive, **changes}
+    (noted / "summary.json").write_text(json.dumps(summary))
+    check(f"{name}: suture_plot", plot(noted)[0], 0)
+    page = page_of(name, noted)[0]
+    return page, "".join(page.find(".//p[@id='accuracy_sentence']").itertext())
+
+
+tree, words = adapted("adaptive")
+check("adaptive: sentence", words, "The energy error is at most 1.3 %, reached with 16,000 unknowns on the last of 5 meshes, in 16 s altogether. A uniform mesh "
+      "of second order would need about 160,000 unknowns and 2.5 hours for the same error (predicted).")
+check("adaptive: the same in the answers", words in said(tree, "answers"), True)
+lines = tree.find(".//section[@id='accuracy']//table[@id='levels']").find("tbody").findall("tr")
+check("adaptive: one row per mesh", [(numbers(line), "strict bound" in "".join(line.itertext())) for line in lines],
+      [([place + 1, n // 4, n, error, 2, 17, seconds], strict) for place, (n, error, strict, seconds) in enumerate(MESHES)])
+from suture_plot_parts.accuracy import accuracy_figure, rounded_up  # noqa: E402
+from suture_plot_parts.run import RunFolder  # noqa: E402
+
+
+def points(axis, **look):
+    """Points of the markers of an axis with a label or an id."""
+    return [list(zip(*(map(float, values) for values in line.get_data()))) for line in axis.lines
+            if all(getattr(line, f"get_{key}")() == value for key, value in look.items())]
+
+
+drawn = accuracy_figure(RunFolder(noted))
+spent = [0.5, 1.5, 3.5, 7.5, 15.5]
+for axis, cost, uniform in zip(drawn.axes, ([n for n, *_ in MESHES], spent), (163270.0, 9000.0)):
+    check(f"adaptive, up to {cost[-1]}: strict bounds are filled", points(axis, label="upper bound (strict)"),
+          [[(x, error) for x, (_, error, strict, _) in zip(cost, MESHES) if strict]])
+    check(f"adaptive, up to {cost[-1]}: estimates are hollow", points(axis, label="estimate"), [[(cost[1], 0.1)]])
+    check(f"adaptive, up to {cost[-1]}: uniform refinement", points(axis, gid="uniform"), [[(uniform, 0.0125)]])
+    check(f"adaptive, up to {cost[-1]}: the request", [{y for _, y in line} for line in points(axis, label="requested: 1.3 %")], [{0.013}])
+(corners,) = points(drawn.axes[0], gid="rate")  # errors halve where unknowns double: rate 1
+check("adaptive: rate", (corners[0][1] / corners[1][1]) / (corners[1][0] / corners[0][0]), lambda ratio: abs(ratio - 1.0) < 1e-9)
+check("adaptive: a bound is never rounded down", [value for value in (0.00871, 0.0087, 0.1, 0.99999, 1e-7, 0.0123456, 3.0) for digits in (1, 2, 3)
+                                                  if not value * (1 - 1e-9) <= rounded_up(value, digits) <= value * (1 + 2 * 10.0**(1 - digits))], [])
+for name, changes, expected in (
+        ("stopped", {"limit": "unknowns", "requested": 0.001, "uniform": None}, "The requested 0.1 % was not reached: the run ended at its largest number of unknowns."),
+        ("of a force", {"quantity": "force of touch", "strict": False}, "The error of \u2018force of touch\u2019 is about 1.2 % (an estimate)"),
+        ("one mesh", {"levels": adaptive["levels"][:1], "reached": 0.2}, "at most 20 %, reached with 1,000 unknowns on the first mesh, in 0.5 s."),
+        ("error unknown", {"levels": [{"unknowns": 10, "error": None}], "reached": None}, "The energy error is not known.")):
+    _, words = adapted(f"adaptive, {name}", **changes)
+    check(f"adaptive, {name}: sentence", words, lambda found, expected=expected: expected in found)
+check("adaptive: the picture", (noted / "accuracy.png").is_file(), True)
+
+# A valid solution with a larger error than requested, exit code 4: its answers are given, under a banner that states it.
+summary["exit_code"] = 4
+tree, words = adapted("too coarse", limit="levels", requested=0.001)
+banner = tree.find(".//div[@id='banner']")
+check("too coarse: banner", (banner.get("class"), "accuracy was not reached" in "".join(banner.itertext()), words in "".join(banner.itertext())),
+      ("verdict coarse", True, True))
+check("too coarse: the answers are given", ("largest von Mises stress" in said(tree, "answers"), tree.find(".//section[@id='state']")), (True, None))
+check("too coarse: stated in the pictures", "ACCURACY NOT\u00a0REACHED" in accuracy_figure(RunFolder(noted))._suptitle.get_text().replace("\n", " "), True)
+summary["exit_code"] = 0
+del summary["accuracy"]
+(noted / "summary.json").write_text(json.dumps(summary))
+check("an earlier adaptive run: suture_plot", plot(noted)[0], 0)
+check("an earlier adaptive run: its picture is removed", (noted / "accuracy.png").exists(), False)
+
 # A run that did not converge, and one whose solution is not unique.
 for name, scene, more in (("not_converged", scenes / "pin" / "pin.xml", setting("Outer Solver/Maximum Iterations", "1")),
                           ("not_determined", Path(__file__).with_name("loose_block.xml"), [])):
@@ -303,6 +387,8 @@ for name, text, words in (
         ("without a key", json.dumps({k: v for k, v in json.loads(good).items() if k != "phases"}), "phases: missing"),
         ("a text for a number", good.replace('"exit_code": 4', '"exit_code": "four"'), 'exit_code: "four" instead of a whole number'),
         ("a list for an object", json.dumps({**json.loads(good), "reactions": []}), "reactions: [] instead of an object with keys"),
+        ("with levels that are no list", json.dumps({**json.loads(good), "accuracy": {"levels": {}}}), "accuracy.levels: {} instead of a list"),
+        ("with a level without unknowns", json.dumps({**json.loads(good), "accuracy": {"levels": [{"error": 1}]}}), "accuracy.levels.0.unknowns: missing"),
         ("of another mesh", json.dumps({**json.loads(good), "mesh_hash": "0123"}), "of another mesh")):
     folder = options.work / "damaged"
     shutil.rmtree(folder, ignore_errors=True)

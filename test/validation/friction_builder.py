@@ -171,11 +171,11 @@ class Scene:
         groups = lambda name, given: text(name, given) if isinstance(given, str) else parameter(name, "Array(string)", "{%s}" % ", ".join(given))
         scaled = lambda factor, vector: [factor * v for v in self.turned(vector)]
         lines = [text("Title", self.title), text("Model", self.model), *inner("Mesh", [text("File", "mesh.msh")])]
-        lines += inner("Bodies", sum((inner(name, [text("Material", "m" + name)]) for name in self.bodies), []))
-        lines += inner("Materials", sum((inner("m" + name, self.material(name, young * self.stress)) for name, young in self.bodies.items()), []))
+        lines += inner("Bodies", sum((inner(name, self.body_lines(name)) for name in self.bodies), []))
+        lines += inner("Materials", sum((inner("m" + name, self.material(name, young * self.stress)) for name, young in self.materials().items()), []))
         conditions = []
         for k, (group, kind, value, linear) in enumerate(self.conditions):
-            own = [text("Body" if kind == "Body Force" else "Group", group), text("Type", kind)]
+            own = [groups("Body" if kind == "Body Force" else "Group", group), text("Type", kind)]
             if kind == "Displacement" and linear:
                 own += [text("Expression " + "xyz"[i], e) for i, e in enumerate(self.linear(value, *linear))]
             elif kind == "Displacement":
@@ -188,6 +188,9 @@ class Scene:
                 axis, length, force = value
                 own = [text("Body", group), text("Type", kind), reals("Direction", scaled(1.0, axis)), real("Length", length * self.length),
                        reals("Value", [force * self.stress * self.length ** (self.d - 1)])]
+            elif kind in ("Traction", "Body Force") and linear:  # a factor, as an expression
+                own += [text("Expression " + "xyz"[i], "%.17g*%s" % (v, linear))
+                        for i, v in enumerate(scaled(self.stress / (self.length if kind == "Body Force" else 1.0), value))]
             elif kind in ("Traction", "Body Force"):
                 own.append(reals("Value", scaled(self.stress / (self.length if kind == "Body Force" else 1.0), value)))
             conditions += inner("c%d" % k, own)
@@ -220,6 +223,14 @@ class Scene:
         lines += inner("Partition", [text("Type", "METIS"), *inner("METIS", [text("Subdomains", "%d" % subdomains)])])
         with open(os.path.join(folder, "scene.xml"), "w") as file:
             file.write("\n".join(inner("Suture", lines)) + "\n")
+
+    def body_lines(self, name):
+        """Lines of a body."""
+        return ['<Parameter name="Material" type="string" value="m%s"/>' % name]
+
+    def materials(self):
+        """Young moduli, in units of the scene, by the name of a body or of a part of it."""
+        return self.bodies
 
     def material(self, name, young):
         """Lines of a body's material."""

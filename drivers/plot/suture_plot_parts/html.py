@@ -20,6 +20,7 @@ nav { margin: 1rem 0; font-size: .92rem; line-height: 1.9; } nav a { margin-righ
 .fields dd { margin: 0; font-weight: 600; }
 .verdict { border-left: .5rem solid var(--good); background: #eef7f3; padding: .6rem .9rem; margin: 1rem 0; }
 .verdict.bad { border-color: var(--bad); background: #fcefee; } .verdict strong { display: block; font-size: 1.15rem; }
+.verdict.coarse { border-color: #f0a000; background: #fff6e0; } .verdict.coarse strong { color: var(--warn); }
 .verdict.bad strong { color: var(--bad); font-size: 1.35rem; }
 .warnings { border-left: .5rem solid #f0a000; background: #fff6e0; padding: .6rem .9rem; margin: 1rem 0; }
 .warnings strong { color: var(--warn); } .warnings ul { margin: .2rem 0 0; padding-left: 1.2rem; }

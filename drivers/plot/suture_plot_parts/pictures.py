@@ -1,4 +1,5 @@
 """All plots of a run."""
+from .accuracy import accuracy_caption, accuracy_figure, has_levels
 from .contact import contact_figures
 from .curves import convergence_figure, probe_figure
 from .deformation import deformation_figure, is_given, seeming
@@ -35,6 +36,8 @@ def pictures(run, factor=None, zoom=None, view=None, cut=None):
         figure, left_out = steps_figure(run)
         yield Picture("steps", "steps", "Contact forces on side B, states of the pairs at the end of each load step, and accumulated work, over "
                       "time." + note_on(left_out), figure)
+    if has_levels(run):
+        yield Picture("accuracy", "accuracy", accuracy_caption(run), accuracy_figure(run))
     if run.history:
         yield Picture("convergence", "convergence", "Residual, conjugate gradient iterations (PCG) and pairs that changed between open and closed, "
                       "for each outer iteration." + (" Vertical lines: ends of load steps." if run.steps else ""), convergence_figure(run))

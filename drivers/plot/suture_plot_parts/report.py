@@ -3,6 +3,7 @@ import os
 import re
 
 from .html import esc, figure, page
+from .report_accuracy import accuracy_section, has_levels
 from .report_answers import body_forces, contact_table, key_figures, loads_and_supports, rigid_groups, safety
 from .report_header import banner, error_sentence, head, sentence, split_notes, warnings
 from .report_run import convergence, cost, error, load_steps, provenance, verdict
@@ -12,7 +13,7 @@ from .words import conditions, contacts
 
 WITHOUT = "Not plotted: this run wrote no fields."
 # Pictures on paper, the most important first, two per page; all pictures are on the screen.
-ON_PAPER = ("scene", "deformation", "von_mises", "safety", "von_mises_zoom", "von_mises_cut", "contact", "steps", "principal_stress")
+ON_PAPER = ("scene", "deformation", "von_mises", "safety", "von_mises_zoom", "von_mises_cut", "contact", "accuracy", "steps", "principal_stress")
 MOST_ON_PAPER = 6
 LARGE = 6_500_000  # bytes of pictures above which they are compressed further, without loss, by a format that older browsers lack
 LONG = 22  # conditions and contacts beyond which the answers fill a second page, and paper has two pictures less
@@ -56,8 +57,9 @@ def results(run, drawn):
     no_contact = "This scene has no contact." if not run.summary["contact"].get("pairs") else WITHOUT
     found = [("deformation", "Deformed shape", WITHOUT), ("von_mises", "Von Mises stress", WITHOUT),
              ("principal", "Principal stresses", WITHOUT), ("contact", "Contact", no_contact), ("steps", "Load steps", None), ("probes", "Probes", None)]
+    own = [("accuracy", "Speed against error", accuracy_section(run, drawn.drawn("accuracy")), "" if run.good else "invalid")] if has_levels(run) else []
     return [(key, heading, drawn.drawn(key, otherwise), " ".join(filter(None, [drawn.on_screen_only(key), "" if run.good else "invalid"])))
-            for key, heading, otherwise in found if otherwise is not None or drawn.of(key)]
+            for key, heading, otherwise in found if otherwise is not None or drawn.of(key)] + own
 
 
 def appendix(run, drawn):

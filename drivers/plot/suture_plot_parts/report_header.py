@@ -2,6 +2,7 @@
 import re
 
 from .html import esc, number
+from .report_accuracy import accuracy_sentence, bound_sentence, has_levels
 from .report_run import CHECKS
 
 EXIT = {0: "done", 2: "command line", 3: "input", 4: "numerical", 5: "environment", 70: "internal", 75: "stopped on request"}
@@ -37,7 +38,10 @@ def banner(run):
     """The verdict in a sentence; for a failed run, why it has no answers."""
     code = run.summary["exit_code"]
     title, words = sentence(run.verdict).rstrip("."), []
-    if run.good:
+    if run.coarse:
+        title = "Valid, but the requested accuracy was not reached"
+        words += [esc(accuracy_sentence(run)), checked(run), f"Exit code {number(code)} ({EXIT[code]})."]
+    elif run.good:
         words.append(checked(run))
     else:
         title += ": this run has no valid result"
@@ -47,7 +51,7 @@ def banner(run):
                      "as a result.")
     if run.step is not None:
         words.append(f"Plots of fields show {esc(run.words_of_step)}; the numbers are from the last step.")
-    return f'<div class="verdict{"" if run.good else " bad"}" id="banner"><strong>{esc(title)}</strong>{" ".join(words)}</div>\n'
+    return f'<div class="verdict{" coarse" if run.coarse else "" if run.good else " bad"}" id="banner"><strong>{esc(title)}</strong>{" ".join(words)}</div>\n'
 
 
 def checked(run):
@@ -68,8 +72,11 @@ def percent(share):
 
 
 def error_sentence(run):
-    """The estimated error, and what it rests on."""
+    """The bound of the error, or the estimated error and what it rests on."""
     found = run.summary.get("error", {})
+    bound = accuracy_sentence(run) if has_levels(run) else bound_sentence(run)
+    if bound:
+        return f'<p id="error_sentence">{esc(bound)} Stresses at a single point may deviate by more.</p>\n'
     for key, words in (("energy_norm_relative", "Error against the exact solution: {} of the energy norm."),
                        ("estimated_energy_norm_relative", "Estimated error of the mesh: {} of the energy norm, from recovered stresses."),
                        ("averaged_energy_norm_relative", "Estimated error of the mesh: about {} of the energy norm, roughly, from averaged stresses.")):

@@ -2,6 +2,7 @@
 import shlex
 
 from .html import esc, number, table
+from .report_accuracy import bound_of, bound_rows, bound_sentence
 
 # Checks of the verdict in words, and the scale of their values.
 CHECKS = {
@@ -83,7 +84,7 @@ def verdict(run):
 
 def error(run):
     found = run.summary.get("error", {})
-    rows = []
+    rows = bound_rows(run)
     for name, words in ERRORS.items():
         if name in found:
             relative = found.get(name + "_relative")
@@ -98,7 +99,9 @@ def error(run):
     if facets:
         markup += table(("piece of contact", "relative"), facets, numeric=(1,), long=(0,),
                         caption="Estimated error of the pressure due to straight elements on curved sides, relative to its largest value.")
-    if "estimated_energy_norm" not in found:
+    said = bound_sentence(run)
+    markup += f'<p id="bound_sentence">{esc(said)}</p>\n' if said else ""
+    if "estimated_energy_norm" not in found and not bound_of(run):
         markup += ("<p>For a better estimate use <code>--set \"Output/Error Estimate=true\"</code>, or run again with half the mesh size and compare the "
                    "stresses.</p>\n")
     return markup

@@ -50,7 +50,7 @@ class RunFolder:
         self.dimension = self.summary.get("dimension", 2)
         self.axes = ("r", "axis y") if self.model == "Axisymmetric" else ("x", "y")
         # Suffix of every title, since a plot of an unfinished run must be recognisable by itself.
-        self.state_of_answer = "" if self.good else f"  ({self.verdict})".replace("NOT ", "NOT\u00a0")
+        self.state_of_answer = "" if self.good and not self.coarse else f"  ({self.verdict})".replace("NOT ", "NOT\u00a0")
         self.state = self.state_of_answer + (f"  ({self.words_of_step})" if self.step is not None else "")
 
     def _summary(self, folder):
@@ -101,11 +101,19 @@ class RunFolder:
         return looked_up(self.summary["parameters"], path, default)
 
     @property
+    def coarse(self):
+        """True for a valid solution whose error is larger than the list Accuracy of the scene allows."""
+        return (self.summary["exit_code"] == 4 and bool((self.summary.get("accuracy") or {}).get("limit")) and self.summary["converged"]
+                and self.summary.get("verified") is not False and not self.summary.get("neutral_motions"))
+
+    @property
     def good(self):
-        return self.summary["exit_code"] == 0 and self.summary["converged"] and self.summary.get("verified") is not False
+        return self.coarse or self.summary["exit_code"] == 0 and self.summary["converged"] and self.summary.get("verified") is not False
 
     @property
     def verdict(self):
+        if self.coarse:
+            return "ACCURACY NOT REACHED"
         if self.good:
             return "converged and verified" if self.summary.get("verified") else "converged"
         if not self.summary["converged"]:

@@ -6,7 +6,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FormatStrFormatter, LogLocator, MaxNLocator, NullFormatter
+from matplotlib.ticker import MaxNLocator
+
+from .log_axis import logarithmic_ticks
 
 # Okabe and Ito's palette, suitable for colour-blind readers; with more lines than colours, only the markers differ.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8A7A00"]
@@ -134,15 +136,6 @@ def ticks_of(panel, plot, place, ticks, width):
         panel.minorticks_off()
     else:
         logarithmic_ticks(panel.xaxis, low, high)
-
-
-def logarithmic_ticks(axis, low, high):
-    """Numbers on a logarithmic axis from `low` to `high`, even if it spans less than two powers of ten."""
-    axis.set_minor_formatter(NullFormatter())
-    if high < 100 * low:
-        subs = (1, 2, 5) if high >= 20 * low else (1, 2, 3, 5)
-        axis.set_major_locator(LogLocator(subs=subs) if high > 3 * low else MaxNLocator(nbins=5))
-        axis.set_major_formatter(FormatStrFormatter("%g"))
 
 
 def study_figure(table, plot):

@@ -6,7 +6,9 @@ from .style import PlotError
 NUMBER, COUNT, TEXT, FLAG, NUMBERS = "a number", "a whole number", "a text", "true or false", "a list of numbers"
 TEXTS, RANGE = "a list of texts", {"min": NUMBER, "avg": NUMBER, "max": NUMBER}
 EXTREME = {"value": NUMBER, "unit": TEXT, "body": TEXT, "contact": TEXT, "place": NUMBERS}
-# Required keys are marked with an exclamation mark; "*" matches any name.
+LEVEL = {"unknowns!": COUNT, "elements": COUNT, "error": NUMBER, "strict": FLAG, "seconds": NUMBER, "iterations": COUNT, "outer": COUNT, "energy": NUMBER,
+         "refinement": TEXT}
+# A list in brackets has items of one shape. Required keys are marked with an exclamation mark; "*" matches any name.
 SHAPE = {
     "title": TEXT, "scene": TEXT, "units": TEXT, "failure": TEXT, "mesh_hash": TEXT, "converged!": FLAG, "verified": FLAG, "exit_code!": COUNT,
     "elements!": COUNT, "dimension": COUNT, "nodes": COUNT, "dofs": COUNT, "ranks": COUNT, "subdomains": COUNT, "interface_dofs": COUNT, "seconds": NUMBER,
@@ -23,6 +25,10 @@ SHAPE = {
                   "sum": {"force": NUMBERS, "moment": NUMBERS}},
     "equilibrium": {"imbalance": NUMBER}, "verification": {"*": {"value": NUMBER, "bound": NUMBER, "where": TEXT}}, "error": {"*": NUMBER},
     "load_steps": {"count": COUNT, "time": NUMBER, "work": {"external": NUMBER, "stored": NUMBER, "dissipated": NUMBER, "step_error": NUMBER}},
+    "bound": {"total": NUMBER, "discretisation": NUMBER, "algebraic": NUMBER, "oscillation": NUMBER, "relative": NUMBER, "strict": FLAG, "reasons": TEXTS,
+              "energy_lower": NUMBER, "energy_upper": NUMBER},
+    "accuracy": {"requested": NUMBER, "quantity": TEXT, "reached": NUMBER, "strict": FLAG, "limit": TEXT, "levels!": [LEVEL],
+                 "uniform": {"order": COUNT, "unknowns": NUMBER, "seconds": NUMBER}},
     "peak_memory_mb": RANGE, "solver_data_mb": RANGE, "preconditioner": {"coarse_size": COUNT}
 }
 
@@ -40,6 +46,10 @@ FITS = {
 
 def faults(value, shape, path=""):
     """Sentences on all mismatches. Null is allowed except for required keys: it represents values that are not finite."""
+    if isinstance(shape, list):
+        if not isinstance(value, list):
+            return [f"{path}: {json.dumps(value)[:40]} instead of a list"]
+        return [found for place, item in enumerate(value) for found in faults(item, shape[0], f"{path}.{place}")]
     if not isinstance(shape, dict):
         return [] if FITS[shape](value) else [f"{path}: {json.dumps(value)[:40]} instead of {shape}"]
     if not isinstance(value, dict):

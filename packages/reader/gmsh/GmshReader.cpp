@@ -101,6 +101,8 @@ MesherOrder orderOf(const GmshInput& input, const std::string& opened) {
   order.allowPrograms = input.allowPrograms;
   order.order = input.order;
   order.largest = input.largest;
+  order.sizes = input.sizes;
+  order.simplices = input.simplices;
   return order;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 #include <suture/reader/cad/SideDescriptions.hpp>
+#include <suture/reader/gmsh/SizeField.hpp>
 
 #include <map>
+#include <memory>
 #include <string>
 
 namespace suture {
@@ -9,14 +11,16 @@ namespace suture {
 /// Options of a scene for reading a .geo, .msh or CAD file.
 struct GmshInput {
   std::string path;
-  std::map<std::string, double> constants;  ///< override the values of DefineConstant (.geo only)
-  double meshSizeFactor = 1.0;              ///< multiplies all mesh sizes (.geo only)
-  double seconds = 600.0;                   ///< time limit of Gmsh; a tenth of it applies to the statements of the file (.geo only)
-  bool allowPrograms = false;               ///< a .geo file may run programs, write files, ...: see checkGeoStatements()
-  int order = 0;                            ///< order of the elements, 1 or 2; 0: as the .geo file says, 2 for CAD
-  double largest = 0.0;                     ///< largest size of elements; 0: no limit [length] (.geo and CAD only)
-  std::string cache{};                      ///< folder of meshes made before (MeshCache); empty: none (.geo and CAD only)
-  std::string unit = "mm";                  ///< unit of length of the mesh: "mm", "m", "in", ... (CAD with units only)
+  std::map<std::string, double> constants;   ///< override the values of DefineConstant (.geo only)
+  double meshSizeFactor = 1.0;               ///< multiplies all mesh sizes (.geo only)
+  double seconds = 600.0;                    ///< time limit of Gmsh; a tenth of it applies to the statements of the file (.geo only)
+  bool allowPrograms = false;                ///< a .geo file may run programs, write files, ...: see checkGeoStatements()
+  int order = 0;                             ///< order of the elements, 1 or 2; 0: as the .geo file says, 2 for CAD
+  double largest = 0.0;                      ///< largest size of elements; 0: no limit [length] (.geo and CAD only)
+  std::string cache{};                       ///< folder of meshes made before (MeshCache); empty: none (.geo and CAD only)
+  std::string unit = "mm";                   ///< unit of length of the mesh: "mm", "m", "in", ... (CAD with units only)
+  std::shared_ptr<const SizeField> sizes{};  ///< see MesherOrder::sizes
+  bool simplices = false;                    ///< see MesherOrder::simplices
 };
 
 /// Reads a .msh file (readMsh(), without Gmsh), or meshes a .geo or CAD file (cadFormat()) through libgmsh in a separate process

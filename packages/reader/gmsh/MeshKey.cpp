@@ -57,6 +57,8 @@ std::optional<std::string> meshKey(const MesherOrder& order, const std::map<std:
   key.put(order.order);
   key.put(order.largest);
   key.put(order.scale);
+  key.put(order.simplices);
+  key.put(order.sizes ? *order.sizes : SizeField{});
   key.put(constants);
   const std::filesystem::path folder = std::filesystem::path(files.front()).parent_path();
   for (const std::string& file : files) {

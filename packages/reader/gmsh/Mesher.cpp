@@ -1,12 +1,14 @@
 // suture_mesher: the only program that runs Gmsh. The library starts it for every .geo and CAD file (MesherProcess.hpp): a file that ends,
 // hangs or crashes Gmsh, or makes it run programs, harms only this process. Writes MesherMessages to file descriptor 3.
-//     suture_mesher FILE MESH_SIZE_FACTOR BYTES SECONDS ALLOW_PROGRAMS(0|1) ORDER(0|1|2) LARGEST_SIZE SCALE
+//     suture_mesher FILE MESH_SIZE_FACTOR BYTES SECONDS ALLOW_PROGRAMS(0|1) ORDER(0|1|2) LARGEST_SIZE SCALE SIMPLICES(0|1) SIZES
 // ORDER 0: as the file says, for CAD 2. LARGEST_SIZE 0: none, in the unit of the mesh. SCALE: factor on the lengths of the file.
+// SIMPLICES 1: no quadrilaterals, prisms or hexahedra. SIZES: file with a packed SizeField that replaces all sizes, or -.
 #include <suture/base/Buffer.hpp>
 #include <suture/base/FileStamp.hpp>
 #include <suture/reader/cad/CadModel.hpp>
 #include <suture/reader/gmsh/GmshMesh.hpp>
 #include <suture/reader/gmsh/GmshTypes.hpp>
+#include <suture/reader/gmsh/SizesByPlace.hpp>
 
 #include <gmsh.h>
 #include <link.h>
@@ -17,7 +19,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "Sandbox.hpp"
@@ -158,8 +163,9 @@ struct Order {
   std::string file;
   double factor, seconds, largest, scale;
   std::size_t bytes;
-  bool allowPrograms;
+  bool allowPrograms, simplices;
   int elementOrder;
+  std::string sizes;
 
   explicit Order(char* argv[])
       : file(argv[1]),
@@ -169,7 +175,9 @@ struct Order {
         scale(std::atof(argv[8])),
         bytes(std::strtoull(argv[3], nullptr, 10)),
         allowPrograms(std::string(argv[5]) == "1"),
-        elementOrder(std::atoi(argv[6])) {}
+        simplices(std::string(argv[9]) == "1"),
+        elementOrder(std::atoi(argv[6])),
+        sizes(argv[10]) {}
 };
 
 /// The options of the scene, on top of those of a .geo file.
@@ -186,11 +194,40 @@ void setOptions(const Order& order) {
   }
 }
 
-bool meshGeo(const Order& order, GmshMesh& mesh) {
+using Sizes = std::shared_ptr<const SizesByPlace>;
+
+/// The sizes of the order; null: none. Before files are forbidden.
+Sizes sizesOf(const Order& order) {
+  if (order.sizes == "-") return nullptr;
+  std::ifstream in(order.sizes, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (!in) throw std::runtime_error("cannot read " + order.sizes);
+  return std::make_shared<const SizesByPlace>(Unpacker(bytes.str()).get<SizeField>(), 1 / order.scale);
+}
+
+/// Replaces all sizes of the file.
+void setSizes(const Order& order, const Sizes& sizes) {
+  if (order.simplices || sizes) {
+    gmsh::option::setNumber("Mesh.RecombineAll", 0);
+    gmsh::model::mesh::removeConstraints();
+  }
+  if (!sizes) return;
+  gmsh::model::mesh::field::setAsBackgroundMesh(-1);
+  for (const char* option :
+       {"Mesh.MeshSizeFromPoints", "Mesh.MeshSizeFromCurvature", "Mesh.MeshSizeExtendFromBoundary", "Mesh.MeshSizeMin"})
+    gmsh::option::setNumber(option, 0);
+  gmsh::option::setNumber("Mesh.MeshSizeMax", order.largest > 0 ? order.largest / order.scale : 1e22);
+  gmsh::option::setNumber("Mesh.MeshSizeFactor", 1);
+  gmsh::model::mesh::setSizeCallback([sizes](int, int, double x, double y, double z) { return sizes->at({x, y, z}); });
+}
+
+bool meshGeo(const Order& order, const Sizes& sizes, GmshMesh& mesh) {
   if (!good([&] { gmsh::open(order.file); })) return false;
   send(MesherMessage::Opened, "");
   return good([&] {
     setOptions(order);
+    setSizes(order, sizes);
     gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
     mesh = readMesh();
   });
@@ -198,7 +235,7 @@ bool meshGeo(const Order& order, GmshMesh& mesh) {
 
 constexpr double kRoundOff = 1e-13;  // coordinates of OpenCASCADE below this fraction of the largest one are zero
 
-bool meshCad(const Order& order, GmshMesh& mesh) {
+bool meshCad(const Order& order, const Sizes& sizes, GmshMesh& mesh) {
   std::optional<CadModel> model;
   if (!good([&] { model.emplace(order.file); })) return false;
   send(MesherMessage::Opened, "");
@@ -207,6 +244,7 @@ bool meshCad(const Order& order, GmshMesh& mesh) {
     model->setMeshing(order.elementOrder == 1 ? 1 : 2,
                       order.largest > 0 ? std::optional<double>(order.largest / order.scale) : std::nullopt);
     gmsh::option::setNumber("Mesh.MeshSizeFactor", order.factor);
+    setSizes(order, sizes);
     gmsh::model::mesh::generate(3);
     mesh = readMesh();
     mesh.descriptions = descriptions;
@@ -219,7 +257,7 @@ bool meshCad(const Order& order, GmshMesh& mesh) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
-  if (argc != 9) return 2;
+  if (argc != 11) return 2;
   const Order order(argv);
   for (int open = 4; open < 1024; ++open) close(open);  // inherited from the parent
   limitThisProcess(order.bytes, order.seconds);
@@ -229,10 +267,12 @@ int main(int argc, char* argv[]) {
   // By default an error leaves Gmsh's parser in the middle of the file. Make it continue to the end.
   gmsh::option::setNumber("General.AbortOnError", 0);
   gmsh::logger::start();
+  Sizes sizes;
+  if (!good([&] { sizes = sizesOf(order); })) return 1;
   if (!order.allowPrograms) forbidProgramsAndFiles();
 
   GmshMesh mesh;
-  if (!(cadFormat(order.file) == CadFormat::None ? meshGeo(order, mesh) : meshCad(order, mesh))) return 1;
+  if (!(cadFormat(order.file) == CadFormat::None ? meshGeo(order, sizes, mesh) : meshCad(order, sizes, mesh))) return 1;
   Packer programs, packer;
   programs.put(loadedPrograms());
   send(MesherMessage::Programs, programs.bytes());

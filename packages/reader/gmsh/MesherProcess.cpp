@@ -207,6 +207,8 @@ std::string mesherProgram() {
 
 GmshMesh runMesher(const MesherOrder& order, std::vector<FileStamp>* programs) {
   const double megabytes = std::min(availableMegabytes(), 1e9);
+  std::unique_ptr<const SizeFieldFile> sizes;
+  if (order.sizes) sizes = std::make_unique<const SizeFieldFile>(*order.sizes);
   const std::vector<std::string> words = {mesherProgram(),
                                           order.opened,
                                           realText(order.meshSizeFactor),
@@ -215,7 +217,9 @@ GmshMesh runMesher(const MesherOrder& order, std::vector<FileStamp>* programs) {
                                           order.allowPrograms ? "1" : "0",
                                           std::to_string(order.order),
                                           realText(order.largest),
-                                          realText(order.scale)};
+                                          realText(order.scale),
+                                          order.simplices ? "1" : "0",
+                                          sizes ? sizes->path() : "-"};
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw EnvironmentError(std::string("cannot make a pipe for suture_mesher: ") + std::strerror(errno));
   Descriptor in(ends[0]), out(ends[1]);

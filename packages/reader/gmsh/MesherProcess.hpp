@@ -1,7 +1,9 @@
 #pragma once
 #include <suture/base/FileStamp.hpp>
 #include <suture/reader/gmsh/GmshMesh.hpp>
+#include <suture/reader/gmsh/SizeField.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct MesherOrder {
   int order = 0;                ///< order of the elements; 0: as the .geo file says, 2 for CAD
   double largest = 0.0;         ///< largest size of elements, without the factor; 0: no limit [length of the mesh]
   double scale = 1.0;           ///< length unit of the file (STEP and IGES: mm) over that of the mesh, for CAD
+  /// Element sizes, which replace all those of the file, its factor and its numbers of elements (Transfinite, Layers); null: none.
+  std::shared_ptr<const SizeField> sizes{};
+  bool simplices = false;  ///< triangles and tetrahedra also where the file recombines them; numbers of elements are lifted there, too
 };
 
 /// Path of suture_mesher; "" if Suture was built without Gmsh. Local. \throws EnvironmentError  the program is missing

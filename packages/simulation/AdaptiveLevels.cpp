@@ -1,0 +1,161 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/Timers.hpp>
+#include <suture/simulation/LevelError.hpp>
+#include <suture/simulation/SizePlan.hpp>
+#include <suture/simulation/Stages.hpp>
+#include <suture/solver/nested/NestedStart.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+constexpr double kAim = 0.7;     // error of the last mesh over the requested one: predictions are not exact
+constexpr double kStep = 3.0;    // largest decrease of the error from one mesh to the next
+constexpr double kNear = 0.75;   // a goal that is not much smaller than the largest decrease is the aim itself
+constexpr double kWorth = 1.25;  // a capped mesh needs this many times the unknowns of the present one
+
+}  // namespace
+
+/// Solves a scene on a sequence of meshes.
+class AdaptiveLevels {
+ public:
+  explicit AdaptiveLevels(JudgedScene judged) : judged_(std::move(judged)), request_(*judged_.parts_->given->accuracy) {
+    reached_.requested = request_.error;
+    reached_.quantity = request_.quantity;
+    end(judged_.run().timers().total(), "start");
+  }
+
+  JudgedScene run() {
+    while (judged_.solution_.isValid() && reached_.reached > request_.error) {
+      const double begin = Timers::now();
+      const Next next = nextMesh();
+      if (!reached_.limit.empty()) break;
+      if (!solve(next.scene)) break;
+      end(Timers::now() - begin, next.refinement);
+    }
+    finish();
+    return std::move(judged_);
+  }
+
+ private:
+  struct Next {
+    Scene scene;
+    std::string refinement;
+  };
+
+  const SceneParts& parts() const { return *judged_.parts_; }
+  const Comm& comm() const { return judged_.run().comm(); }
+
+  /// Records the present mesh.
+  void end(double seconds, const std::string& refinement) {
+    const Solution& solution = judged_.solution();
+    const ProblemSize& size = judged_.size();
+    error_ = levelError(solution);
+    AccuracyLevel level{
+        size.dofs,           size.elements,   error_.relative(), error_.strict, seconds, solution.pcgTotal + solution.auxiliary.pcg,
+        solution.iterations, solution.energy, solution.energy,   refinement};
+    broadcastBytes(comm(), &level.seconds, sizeof level.seconds);
+    judged_.run().monitor().endLevel(static_cast<int>(reached_.levels.size()), level);
+    reached_.levels.push_back(level);
+    reached_.reached = level.error;
+    reached_.strict = level.strict;
+  }
+
+  /// The scene on the next mesh; without one, sets the limit.
+  Next nextMesh() {
+    Next next{*parts().given, "size field"};
+    if (static_cast<int>(reached_.levels.size()) >= request_.mostLevels) {
+      reached_.limit = "levels";
+      return next;
+    }
+    const AccuracyLevel& last = reached_.levels.back();
+    const double perElement = static_cast<double>(last.unknowns) / static_cast<double>(last.elements);
+    const double goal = kAim * request_.error * error_.norm, step = error_.error / kStep;
+    const double wanted = goal > kNear * step ? goal : step;
+    const int elements = static_cast<int>(last.elements);
+    const std::vector<double> squares = squaresOnRoot(comm(), judged_.meshes(), error_.ofElements, elements);
+    const std::vector<FacingNodes> facing = facingNodes(comm(), judged_.meshes(), *parts().whole);
+    auto sizes = std::make_shared<SizeField>();
+    struct Plan {
+      double unknowns = 0.0;
+      int isCapped = 0, isLate = 0;
+    } plan;
+    collectivelyOnRoot(comm(), "choosing the sizes of the next mesh", [&] {
+      SizePlan found =
+          planSizes(*parts().whole, squares, facing, {wanted * wanted, static_cast<double>(request_.mostUnknowns) / perElement});
+      plan.unknowns = found.elements * perElement;
+      plan.isCapped = found.isCapped;
+      const double seconds = last.seconds * plan.unknowns / static_cast<double>(last.unknowns);
+      plan.isLate = request_.mostSeconds > 0.0 && judged_.run().timers().total() + seconds > request_.mostSeconds;
+      *sizes = std::move(found.field);
+    });
+    broadcastBytes(comm(), &plan, sizeof plan);
+    if (plan.isCapped != 0 && plan.unknowns < kWorth * static_cast<double>(last.unknowns))
+      reached_.limit = "unknowns";
+    else if (plan.isLate != 0)
+      reached_.limit = "time";
+    next.scene.mesh = [remesh = next.scene.remesh, sizes](const Comm& ranks) { return remesh(ranks, sizes); };
+    return next;
+  }
+
+  /// The scene on another mesh, checked; nothing, and the limit, if the mesh cannot be made or exceeds the memory.
+  std::optional<CheckedScene> checked(const Scene& scene) {
+    RunMonitor& monitor = judged_.run().monitor();
+    try {
+      std::optional<PartitionedScene> partitioned;
+      try {
+        partitioned.emplace(cut(read(judged_.run(), scene)));
+      } catch (const InputError& error) {
+        reached_.limit = "mesh";
+        monitor.dropLevel();
+        monitor.note(std::string("warning: the next mesh cannot be made: ") + error.what());
+        return std::nullopt;
+      }
+      return check(*std::move(partitioned));
+    } catch (const EnvironmentError& error) {
+      reached_.limit = "memory";
+      monitor.dropLevel();
+      monitor.note(std::string("the next mesh is not solved: ") + error.what());
+      return std::nullopt;
+    }
+  }
+
+  /// Solves the scene on another mesh, from the present solution. False: a limit is reached, and the present solution is unchanged.
+  bool solve(const Scene& scene) {
+    const RunContext run = judged_.run();
+    std::optional<CheckedScene> next = checked(scene);
+    if (!next) return false;
+    PreparedScene prepared = prepare(*std::move(next));
+    prepared.remark();
+    prepared.startFrom(nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes()));
+    judged_ = judge(suture::solve(std::move(prepared)));
+    return true;
+  }
+
+  void finish() {
+    if (judged_.solution_.isValid() || !reached_.limit.empty()) {
+      if (const std::string failure = reached_.failure(); !failure.empty() && judged_.solution_.failure.empty())
+        judged_.solution_.failure = failure;
+    }
+    judged_.accuracy_ = std::move(reached_);
+    judged_.run().monitor().endLevels();
+  }
+
+  JudgedScene judged_;
+  const AccuracyRequest request_;
+  LevelError error_;
+  AccuracyReached reached_;
+};
+
+JudgedScene refine(JudgedScene judged) {
+  if (!judged.scene().accuracy) return judged;
+  return AdaptiveLevels(std::move(judged)).run();
+}
+
+}  // namespace suture

@@ -1,0 +1,175 @@
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/simulation/SizePlan.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace suture {
+
+namespace {
+
+constexpr double kLeastRatio = 0.125, kMostRatio = 2.0;
+constexpr double kGrowth = 0.35;   // growth of the size per distance
+constexpr double kRounding = 8.0;  // steps per power of two
+constexpr int kBisections = 60;
+
+/// Edge length of the regular simplex of an element's size.
+double sizeOf(const Mesh& mesh, int element) {
+  const double size = std::abs(signedSize(mesh, element));
+  return mesh.dimension == 2 ? std::sqrt(4 / std::sqrt(3.0) * size) : std::cbrt(6 * std::sqrt(2.0) * size);
+}
+
+/// h_new / h of all elements as a function of c.
+class Ratios {
+ public:
+  Ratios(const std::vector<double>& squares, int order, int dimension) : squares_(squares), order_(order), dimension_(dimension) {}
+
+  double ratio(double c, double square) const {
+    if (square <= 0) return kMostRatio;
+    return std::clamp(std::pow(c / square, 1.0 / (2 * order_ + dimension_)), kLeastRatio, kMostRatio);
+  }
+  double errorSquare(double c) const {
+    return sum([&](double square) { return square * std::pow(ratio(c, square), 2 * order_); });
+  }
+  double elements(double c) const {
+    return sum([&](double square) { return std::pow(ratio(c, square), -dimension_); });
+  }
+  /// The largest c with errorSquare(c) <= wanted; if there is none, the smallest one that matters.
+  double forError(double wanted) const {
+    return bisect([&](double c) { return errorSquare(c) <= wanted; });
+  }
+  /// The smallest c with elements(c) <= most.
+  double forElements(double most) const {
+    return bisect([&](double c) { return elements(c) > most; });
+  }
+
+ private:
+  template <typename Of>
+  double sum(const Of& of) const {
+    double all = 0;
+    for (const double square : squares_) all += of(square);
+    return all;
+  }
+  /// Border between values of c that are small enough, and those that are not.
+  template <typename Small>
+  double bisect(const Small& isSmall) const {
+    double largest = 0, least = std::numeric_limits<double>::infinity();
+    for (const double square : squares_)
+      if (square > 0) largest = std::max(largest, square), least = std::min(least, square);
+    if (largest == 0) return 0;
+    const double exponent = 2 * order_ + dimension_;
+    double low = std::log(least) + exponent * std::log(kLeastRatio), high = std::log(largest) + exponent * std::log(kMostRatio);
+    for (int k = 0; k < kBisections; ++k) {
+      const double middle = 0.5 * (low + high);
+      (isSmall(std::exp(middle)) ? low : high) = middle;
+    }
+    return std::exp(low);
+  }
+
+  const std::vector<double>& squares_;
+  int order_, dimension_;
+};
+
+double rounded(double ratio) { return std::exp2(std::round(kRounding * std::log2(ratio)) / kRounding); }
+
+struct Link {
+  int to;
+  double length;
+};
+
+/// Nodes that limit each other's sizes, with their distances: those of an edge, and facing ones.
+std::vector<std::vector<Link>> linksOf(const Mesh& mesh, const std::vector<FacingNodes>& facing) {
+  std::vector<std::vector<Link>> links(static_cast<std::size_t>(mesh.nodes()));
+  const auto link = [&](int a, int b, double length) {
+    links[static_cast<std::size_t>(a)].push_back({b, length});
+    links[static_cast<std::size_t>(b)].push_back({a, length});
+  };
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const CellInfo& cell = cellInfo(mesh.cells[e]);
+    const Span<const int> nodes = mesh.nodesOf(e);
+    for (std::size_t k = 0; k < cell.edges.size(); ++k) {
+      const int a = nodes[cell.edges[k][0]], b = nodes[cell.edges[k][1]];
+      const double length = norm(minus(mesh.point(a), mesh.point(b)));
+      link(a, b, length);
+      if (cell.order < 2) continue;
+      const int middle = nodes[static_cast<std::size_t>(cell.vertices) + k];
+      link(a, middle, length / 2);
+      link(b, middle, length / 2);
+    }
+  }
+  for (const FacingNodes& pair : facing)
+    if (pair.a < mesh.nodes() && pair.b < mesh.nodes()) link(pair.a, pair.b, pair.distance);
+  return links;
+}
+
+/// Lowers sizes so that they grow by at most kGrowth times the length of a link.
+void limitGrowth(const std::vector<std::vector<Link>>& links, std::vector<double>& sizes) {
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+  for (std::size_t node = 0; node < sizes.size(); ++node)
+    if (std::isfinite(sizes[node])) waiting.push({sizes[node], static_cast<int>(node)});
+  while (!waiting.empty()) {
+    const auto [size, node] = waiting.top();
+    waiting.pop();
+    if (size > sizes[static_cast<std::size_t>(node)]) continue;
+    for (const Link& link : links[static_cast<std::size_t>(node)]) {
+      double& other = sizes[static_cast<std::size_t>(link.to)];
+      const double most = size + kGrowth * link.length;
+      if (most >= other) continue;
+      other = most;
+      waiting.push({most, link.to});
+    }
+  }
+}
+
+SizeField fieldOf(const Mesh& mesh, std::vector<double> sizes) {
+  SizeField field;
+  field.dimension = mesh.dimension;
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const Point point = mesh.point(node);
+    field.points.insert(field.points.end(), point.begin(), point.end());
+  }
+  field.sizes = std::move(sizes);
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const Span<const int> nodes = mesh.nodesOf(e);
+    field.simplices.insert(field.simplices.end(), nodes.begin(), nodes.begin() + mesh.dimension + 1);
+  }
+  return field;
+}
+
+}  // namespace
+
+SizePlan planSizes(const Mesh& mesh, const std::vector<double>& squares, const std::vector<FacingNodes>& facing,
+                   const WantedError& wanted) {
+  const Ratios ratios(squares, cellInfo(mesh.cells.front()).order, mesh.dimension);
+  double c = ratios.forError(wanted.square);
+  SizePlan result;
+  result.isCapped = ratios.elements(c) > wanted.mostElements;
+  if (result.isCapped) c = ratios.forElements(wanted.mostElements);
+  std::vector<double> sizes(static_cast<std::size_t>(mesh.nodes()), std::numeric_limits<double>::infinity());
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const double size = sizeOf(mesh, e) * rounded(ratios.ratio(c, squares[static_cast<std::size_t>(e)]));
+    for (const int node : mesh.nodesOf(e)) sizes[static_cast<std::size_t>(node)] = std::min(sizes[static_cast<std::size_t>(node)], size);
+  }
+  limitGrowth(linksOf(mesh, facing), sizes);
+  for (int e = 0; e < mesh.elements(); ++e) {
+    double mean = 0;
+    const Span<const int> nodes = mesh.nodesOf(e);
+    for (int k = 0; k <= mesh.dimension; ++k) mean += sizes[static_cast<std::size_t>(nodes[k])] / (mesh.dimension + 1);
+    result.elements += std::pow(sizeOf(mesh, e) / mean, mesh.dimension);
+  }
+  if (result.elements > wanted.mostElements) {
+    const double factor = std::pow(result.elements / wanted.mostElements, 1.0 / mesh.dimension);
+    for (double& size : sizes) size *= factor;
+    result.elements = wanted.mostElements;
+    result.isCapped = true;
+  }
+  result.field = fieldOf(mesh, std::move(sizes));
+  return result;
+}
+
+}  // namespace suture

@@ -1,0 +1,36 @@
+#pragma once
+#include <suture/base/Point.hpp>
+#include <suture/mesh/Mesh.hpp>
+#include <suture/reader/gmsh/SizeField.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// Two nodes that face each other on a contact, and their distance along the sides. [length]
+struct FacingNodes {
+  int a = -1, b = -1;
+  double distance = 0.0;
+};
+
+/// Element sizes for a next mesh with a smaller error.
+struct SizePlan {
+  SizeField field;
+  double elements = 0.0;  ///< number of elements of the next mesh, predicted: sum of (h / h_new)^d
+  bool isCapped = false;  ///< the sizes are larger than the wanted error requires
+};
+
+/// Wanted error of the next mesh.
+struct WantedError {
+  double square = 0.0;        ///< square of its energy norm
+  double mostElements = 0.0;  ///< cap of the predicted number of elements
+};
+
+/// Sizes of least cost for a wanted error: the number of elements sum (h / h_new)^d is minimal for sum eta_K^2 (h_new / h)^2k = wanted^2,
+/// which gives h_new / h = (c / eta_K^2)^(1 / (2k + d)). The ratio is kept in [1/8, 2], rounded to eighths of a power of two, so that
+/// round-off in eta_K does not change the mesh, and sizes grow by at most a fraction of the distance along edges. Facing nodes of a contact
+/// have sizes that differ by at most that fraction of their distance, hence matching nodes equal ones. Local (rank 0).
+/// \param mesh     simplices of order k \param squares  eta_K^2 of each element
+SizePlan planSizes(const Mesh& mesh, const std::vector<double>& squares, const std::vector<FacingNodes>& facing, const WantedError& wanted);
+
+}  // namespace suture

@@ -1,0 +1,88 @@
+"""Accuracy on request (list Accuracy): the error is reached on any number of ranks, with matching contact sides and few unknowns; the true
+error is as small as said; limits; bad input; --again.
+
+accuracy.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
+"""
+import json
+import pathlib
+
+from harness import arguments, check, finish, run, setting
+
+options = arguments("--solve", "--input")
+INPUT = pathlib.Path(options.input)
+TUNNEL = INPUT / "tunnel" / "tunnel.xml"
+
+
+def solve(name, scene, *words, ranks=1):
+    """Exit code, output and summary."""
+    code, text = run(options.solve, ranks, scene, "--output", options.work / name, *words, timeout=300)
+    path = options.work / name / "summary.json"
+    return code, text, json.loads(path.read_text()) if path.exists() else {}
+
+
+def error(value):
+    return setting("Accuracy/Error", value)
+
+
+# The tunnel, on three numbers of ranks.
+first = None
+for ranks in (1, 2, 4):
+    code, text, summary = solve(f"tunnel_{ranks}", TUNNEL, *error(0.003), ranks=ranks)
+    accuracy = summary["accuracy"]
+    check("the error is reached", (code, accuracy["limit"], accuracy["reached"] <= 0.003), (0, "", True))
+    check("the summary is that of the last mesh", summary["dofs"], accuracy["levels"][-1]["unknowns"])
+    check("matching sides stay matching", "do not match" in text, False)
+    first = first or accuracy
+    check("the same meshes", [level["unknowns"] for level in accuracy["levels"]], [level["unknowns"] for level in first["levels"]])
+    for mine, its in zip(accuracy["levels"], first["levels"]):
+        check("the same errors", abs(mine["error"] / its["error"] - 1), lambda part: part < 1e-6)
+levels = first["levels"]
+check("levels", len(levels), lambda count: 3 <= count <= 5)
+check("unknowns of all meshes", sum(level["unknowns"] for level in levels) / levels[-1]["unknowns"], lambda part: part < 3)
+check("the error falls like 1 / unknowns", levels[-1]["error"] * levels[-1]["unknowns"] / (levels[1]["error"] * levels[1]["unknowns"]),
+      lambda part: part < 1.1)
+check("no history of other meshes", len((options.work / "tunnel_1" / "history.csv").read_text().split()) - 1, levels[-1]["outer"])
+
+# True errors. Without loads a(u, u) = 2 J, and |u - u_h|^2 = 2 (J_h - J): the relative error is sqrt((J_h - J) / J). The mesh of the reference has
+# a twentieth of the error.
+PUNCH = INPUT / "validation" / "v7_punch" / "v7_punch.xml"
+_, _, fine = solve("reference", PUNCH, *error(0.0005))
+_, _, coarse = solve("punch", PUNCH, *error(0.01))
+for level in coarse["accuracy"]["levels"] + fine["accuracy"]["levels"][:3]:
+    true = (level["energy"] / fine["energy"] - 1) ** 0.5
+    check("the estimate is close to the error", level["error"] / true, lambda part: 0.7 < part < 1.6)
+
+# Limits: the results so far, and exit code 4.
+code, text, summary = solve("levels", TUNNEL, *error(0.001), *setting("Accuracy/Most Levels", 1))
+check("one mesh", (code, summary["exit_code"], summary["accuracy"]["limit"], len(summary["accuracy"]["levels"])), (4, 4, "levels", 1))
+check("it is verified", (summary["verified"], "Accuracy/Most Levels" in summary["failure"], "ACCURACY NOT REACHED" in text), (True, True, True))
+code, _, summary = solve("unknowns", TUNNEL, *error(0.0005), *setting("Accuracy/Most Unknowns", 8000))
+check("unknowns", (code, summary["accuracy"]["limit"]), (4, "unknowns"))
+check("the cap is used and kept", max(level["unknowns"] for level in summary["accuracy"]["levels"]), lambda most: 5000 < most < 9600)
+code, _, summary = solve("seconds", TUNNEL, *error(0.001), *setting("Accuracy/Most Seconds", 0.01))
+check("seconds", (code, summary["accuracy"]["limit"], len(summary["accuracy"]["levels"])), (4, "time", 1))
+code, _, summary = solve("memory", TUNNEL, *error(0.0001), *setting("Subdomain/Memory Limit", 75))
+check("memory", (code, summary["accuracy"]["limit"], summary["verified"]), (4, "memory", True))
+
+# Nothing without a request.
+_, text, summary = solve("plain", TUNNEL, *setting("Output/Checkpoint", "true"))
+check("no request, no result", ("accuracy" in summary, "level" in text), (False, False))
+
+# Bad input.
+for name, words, expected in (
+        ("negative", error(-0.01), "Accuracy/Error"),
+        ("two", error(2), "Accuracy/Error"),
+        ("unknown", setting("Accuracy/Eror", 0.01), "Did you mean 'Error'?"),
+        ("order", [*error(0.01), *setting("Accuracy/Order", 3)], "Accuracy/Order"),
+        ("restart", [*error(0.01), "--restart", options.work / "plain" / "checkpoint.h5"], "--restart"),
+        ("nested", [*error(0.01), *setting("Outer Solver/Start", "Nested"), *setting("Outer Solver/Nested/Levels", "{Mesh/Constants/scale=2}")],
+         "Outer Solver/Start"),
+        ("steps", [*error(0.01), *setting("Load Steps/Times", "{0.5, 1}")], "Load Steps")):
+    code, text, _ = solve("bad_" + name, TUNNEL, *words)
+    check(f"bad input: {name}", (code, expected in text), (3, True))
+
+# The same run again, also on another number of ranks.
+for ranks in (1, 2):
+    code, text = run(options.solve, ranks, "--again", options.work / "tunnel_1" / "summary.json", "--output", options.work / f"again_{ranks}", timeout=300)
+    check("again", (code, "agrees" in text), (0, True))
+finish()

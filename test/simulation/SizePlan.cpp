@@ -1,0 +1,97 @@
+// Sizes of the next mesh: against the least cost of a wanted error by hand.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/mesh/Generators.hpp>
+#include <suture/simulation/SizePlan.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+namespace {
+
+/// Triangles of first or second order on the unit square.
+Mesh square(Cell cell, int cells) {
+  Box box;
+  box.name = "square";
+  box.cell = cell;
+  box.nx = box.ny = cells;
+  return boxes({box});
+}
+
+constexpr double kAll = 1e9;  // no cap
+
+TEUCHOS_UNIT_TEST(SizePlan, DividesAllSizesAlikeForAnEvenError) {
+  // eta ~ h^k: half the error needs sizes 2^(-1/k) and 2^(d/k) times as many elements.
+  for (const auto& [cell, order] : {std::pair<Cell, int>{Cell::Triangle3, 1}, {Cell::Triangle6, 2}}) {
+    const Mesh mesh = square(cell, 4);
+    const std::vector<double> squares(static_cast<std::size_t>(mesh.elements()), 2.0);
+    const SizePlan plan = planSizes(mesh, squares, {}, {0.25 * 2.0 * mesh.elements(), kAll});
+    TEST_FLOATING_EQUALITY(plan.elements, mesh.elements() * std::pow(2.0, 2.0 / order), 1e-10);
+    const double area = 1.0 / mesh.elements(), size = std::sqrt(4 / std::sqrt(3.0) * area) * std::pow(2.0, -1.0 / order);
+    for (int e = 0; e < mesh.elements(); ++e)
+      for (int k = 0; k < 3; ++k) TEST_FLOATING_EQUALITY(plan.field.sizes[static_cast<std::size_t>(mesh.nodesOf(e)[k])], size, 1e-10);
+    TEST_ASSERT(!plan.isCapped);
+  }
+}
+
+TEUCHOS_UNIT_TEST(SizePlan, PutsSmallElementsWhereTheErrorIs) {
+  const Mesh mesh = square(Cell::Triangle6, 16);
+  std::vector<double> squares(static_cast<std::size_t>(mesh.elements()), 1e-6);
+  squares[0] = 1.0;
+  const SizePlan plan = planSizes(mesh, squares, {}, {0.1, kAll});
+  const double old = std::sqrt(4 / std::sqrt(3.0) / mesh.elements());
+  double least = 1e300, most = 0;
+  for (const double size : plan.field.sizes) least = std::min(least, size), most = std::max(most, size);
+  TEST_COMPARE(least, <, 0.75 * old);
+  TEST_COMPARE(most, >, 1.5 * old);
+  TEST_COMPARE(plan.elements, <, mesh.elements());
+  // No size grows faster than .35 of the distance.
+  for (int e = 0; e < mesh.elements(); ++e)
+    for (const auto& edge : cellInfo(mesh.cells[e]).edges) {
+      const int a = mesh.nodesOf(e)[edge[0]], b = mesh.nodesOf(e)[edge[1]];
+      const double step = std::abs(plan.field.sizes[static_cast<std::size_t>(a)] - plan.field.sizes[static_cast<std::size_t>(b)]);
+      TEST_COMPARE(step, <=, 0.35 * norm(minus(mesh.point(a), mesh.point(b))) + 1e-12);
+    }
+}
+
+TEUCHOS_UNIT_TEST(SizePlan, ObeysTheCap) {
+  const Mesh mesh = square(Cell::Triangle3, 8);
+  const std::vector<double> squares(static_cast<std::size_t>(mesh.elements()), 1.0);
+  const SizePlan plan = planSizes(mesh, squares, {}, {1e-6, 200.0});
+  TEST_ASSERT(plan.isCapped);
+  TEST_COMPARE(plan.elements, <=, 200.0 * (1 + 1e-12));
+  TEST_COMPARE(plan.elements, >, 150.0);
+}
+
+TEUCHOS_UNIT_TEST(SizePlan, DoesNotDependOnRoundOff) {
+  const Mesh mesh = square(Cell::Triangle6, 12);
+  std::vector<double> squares, other;
+  for (int e = 0; e < mesh.elements(); ++e) {
+    squares.push_back(std::exp(-0.02 * e));
+    other.push_back(squares.back() * (1 + 1e-11 * std::sin(e)));
+  }
+  const WantedError wanted{0.05, kAll};
+  TEST_ASSERT(planSizes(mesh, squares, {}, wanted).field.sizes == planSizes(mesh, other, {}, wanted).field.sizes);
+}
+
+TEUCHOS_UNIT_TEST(SizePlan, GivesOppositeNodesTheSameSize) {
+  Box lower, upper;
+  lower.name = "lower", upper.name = "upper";
+  lower.cell = upper.cell = Cell::Triangle6;
+  lower.nx = lower.ny = upper.nx = upper.ny = 6;
+  upper.y0 = 1, upper.y1 = 2;
+  const Mesh mesh = boxes({lower, upper});
+  std::vector<FacingNodes> facing;
+  for (int a = 0; a < mesh.nodes(); ++a)
+    for (int b = a + 1; b < mesh.nodes(); ++b)
+      if (norm(minus(mesh.point(a), mesh.point(b))) < 1e-9) facing.push_back({a, b, 0.0});
+  TEST_EQUALITY(static_cast<int>(facing.size()), 13);
+  std::vector<double> squares(static_cast<std::size_t>(mesh.elements()), 1e-3);
+  for (int e = 0; e < mesh.elements() / 2; ++e) squares[static_cast<std::size_t>(e)] = 1.0;  // the lower body only
+  const SizePlan plan = planSizes(mesh, squares, facing, {10.0, kAll});
+  for (const FacingNodes& pair : facing)
+    TEST_EQUALITY(plan.field.sizes[static_cast<std::size_t>(pair.a)], plan.field.sizes[static_cast<std::size_t>(pair.b)]);
+}
+
+}  // namespace
+}  // namespace suture
