@@ -22,7 +22,7 @@ struct Piece {
   GridPiece grid;
   std::vector<double> displacement, since, nodalStress, nodalPrincipal, nodalVonMises;
   std::vector<GlobalId> nodeId;
-  std::vector<double> stress, principal, firstDirection, lastDirection, vonMises, young, error, safety, nodalSafety;
+  std::vector<double> stress, principal, firstDirection, lastDirection, vonMises, young, error, bound, safety, nodalSafety;
   std::vector<int> subdomain, body, material;
   std::vector<GlobalId> elementId;
 
@@ -30,13 +30,15 @@ struct Piece {
   // Keeps the allocated memory.
   void clear() {
     for (auto* values : {&grid.points, &displacement, &since, &nodalStress, &nodalPrincipal, &nodalVonMises, &stress, &principal,
-                         &firstDirection, &lastDirection, &vonMises, &young, &error, &safety, &nodalSafety})
+                         &firstDirection, &lastDirection, &vonMises, &young, &error, &bound, &safety, &nodalSafety})
       values->clear();
     for (auto* values : {&grid.connectivity, &grid.ends, &nodeId, &elementId}) values->clear();
     for (auto* values : {&subdomain, &body, &material}) values->clear();
     grid.types.clear();
   }
 };
+
+bool hasBound(const Solution& solution) { return solution.bound && solution.bound->exists; }
 
 // Numbers of this rank's points; a node already added by an earlier subdomain of the rank is not repeated.
 class PointNumbers {
@@ -228,6 +230,9 @@ class FieldRows {
     if (run.solution.discretisation)
       error_.emplace(reals("ErrorEstimate", 1, "(" + units_.stress + " " + units_.length + "^2)^(1/2)",
                            "estimated discretisation error of the element in the energy norm; never negative"));
+    if (hasBound(run.solution))
+      bound_.emplace(reals("ErrorBound", 1, "(" + units_.stress + " " + units_.length + "^2)^(1/2)",
+                           "contribution of the element to the bound of the error in the energy norm; never negative"));
     subdomain_.emplace(integers<int>("Subdomain", "number of the subdomain, from 0; names in SubdomainNames"));
     body_.emplace(integers<int>("Body", "number of the body, from 0; names in BodyNames"));
     material_.emplace(integers<int>("Material", "number of the material, from 0; names in MaterialNames"));
@@ -254,6 +259,7 @@ class FieldRows {
     if (nodalSafety_) nodalSafety_->append(piece.nodalSafety);
     if (young_) young_->append(piece.young);
     if (error_) error_->append(piece.error);
+    if (bound_) bound_->append(piece.bound);
     subdomain_->append(piece.subdomain);
     body_->append(piece.body);
     material_->append(piece.material);
@@ -274,7 +280,7 @@ class FieldRows {
   Hdf5Rows<double> displacement_;
   Hdf5Rows<GlobalId> nodeId_;
   Hdf5Rows<double> stress_, principal_, firstDirection_, lastDirection_, vonMises_;
-  std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, since_, young_, error_, safety_, nodalSafety_;
+  std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, since_, young_, error_, bound_, safety_, nodalSafety_;
   std::optional<Hdf5Rows<int>> subdomain_, body_, material_;
   std::optional<Hdf5Rows<GlobalId>> elementId_;
 };
@@ -299,6 +305,10 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     if (run.solution.discretisation) {
       const Vector& error = run.solution.discretisation->ofElements[s];
       piece.error.insert(piece.error.end(), error.data(), error.data() + error.size());
+    }
+    if (hasBound(run.solution)) {
+      const Vector& bound = run.solution.bound->ofElements[s];
+      piece.bound.insert(piece.bound.end(), bound.data(), bound.data() + bound.size());
     }
     if (!piece.isFull() && s + 1 < run.subdomains.size()) continue;
     rows.append(piece);
