@@ -14,6 +14,7 @@ Schema outputSchema() {
       .boolean("Error Estimate", false,
                "Estimate the discretisation error in the energy norm from recovered stresses, per element (field ErrorEstimate, "
                "summary, console). Implied by an automatic tolerance.")
+      .boolean("Error Bound", false, "Compute a guaranteed bound of the error in the energy norm, discretisation and solver together.")
       .boolean("Mesh Error", true,
                "If there is no other estimate: estimate the discretisation error from averaged stresses, a rougher and cheaper method "
                "(summary, console). Warns above 25 %.")
