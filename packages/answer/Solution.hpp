@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/answer/Balancing.hpp>
 #include <suture/answer/OuterFigures.hpp>
 #include <suture/answer/PairResult.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
@@ -9,6 +10,7 @@
 #include <suture/base/Types.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,8 @@ struct Solution : OuterFigures {
   std::vector<Vector> since{};
   std::optional<double> sinceTime{};            ///< that time, if `since` is known; the same on all ranks
   std::vector<RigidGroupMotion> rigidGroups{};  ///< motions of the rigid groups, on rank 0
+  std::optional<Balancing> balancing{};         ///< only with `Output/Error Bound`, see balanceForces()
+  std::string notBalanced{};                    ///< reason why `balancing` is missing although it was requested; else empty
   std::optional<double> meshError;  ///< averagedEstimate(): relative discretisation error in the energy norm, if no better estimate exists
   std::optional<ErrorBound> bound;  ///< bound of the error in the energy norm, if requested
   std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of this rank's subdomains that have their own physics, by place

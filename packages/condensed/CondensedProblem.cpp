@@ -259,6 +259,51 @@ Teuchos::RCP<InterfaceOperator> CondensedProblem::withoutContact() const {
   return Teuchos::rcp(new InterfaceOperator(space_, std::move(locals)));
 }
 
+void CondensedProblem::addGroup(int number, const ContactGroup::Response& response, const Vector& moved, std::vector<Vector>& freeValues,
+                                std::vector<PairForce>& pairs) const {
+  const ContactGroup& group = *groups_[number];
+  for (std::size_t m = 0; m < group.members().size(); ++m) {
+    Vector& values = freeValues[groupMembers_[number][m]];
+    values = Vector(group.members()[m].subdomain->dofs());
+    for (Eigen::Index k = 0; k < values.size(); ++k) values(k) = response.displacement(group.positionsOf(static_cast<int>(m))[k]);
+  }
+  for (std::size_t p = 0; p < group.pairs().size(); ++p) pairs.push_back({group.pairs()[p].id, response.status[p], response.force(p)});
+  if (laws_.restrictSliding()) addTangentialForces(group, response, moved, pairs);
+  for (const ContactPair& pair : group.idlePairs()) pairs.push_back({pair.id, PairStatus::Open, 0.0});
+}
+
+std::optional<BrokenField> CondensedProblem::brokenField(const InterfaceState& state, const std::vector<Vector>& corrections) const {
+  std::vector<Vector> trace = traces(*state.trace);
+  for (std::size_t i = 0; i < corrections.size(); ++i) trace[i] += corrections[i];
+  BrokenField result;
+  result.freeValues.resize(subdomains_.size());
+  Matrix force = Matrix::Zero(space_->overlapSize(), 1);
+  double largest = 0.0;
+  const auto add = [&](std::size_t place, const Vector& flux) {
+    if (flux.size() > 0) largest = std::max(largest, flux.lpNorm<Eigen::Infinity>());
+    space_->coupling(static_cast<int>(place)).addTransposed(-flux, force);
+  };
+  collectively(*comm_, "recovering the interiors", [&] {
+    for (std::size_t i = 0; i < plain_.size(); ++i) {
+      Vector& values = result.freeValues[plainSubdomain_[i]];
+      values = plain_[i]->recover(trace[i]);
+      add(i, plain_[i]->boundaryForces(values));
+    }
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const int number = static_cast<int>(g), place = placeOfGroup(number);
+      const Vector moved = movedRows(number, state);
+      const ContactGroup::Response response =
+          groups_[g]->respondLinear(trace[place], linearised(number, state.status[place])->held(), moved);
+      addGroup(number, response, moved, result.freeValues, result.pairs);
+      add(static_cast<std::size_t>(place), response.flux);
+    }
+  });
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, largest, Teuchos::outArg(result.largestForce));
+  result.residual = space_->vector();
+  space_->scatterAdd(force, *result.residual);
+  return result;
+}
+
 InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& state) const {
   const std::vector<Vector> trace = traces(*state.trace);
   Recovered result;
@@ -280,17 +325,12 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
       const ContactGroup::Response response = isGiven() ? group.respondLinear(trace[i], linearised(number, state.status[i])->held(), moved)
                                                         : group.respond(trace[i], state.status[i], moved);
       energy += response.energy;
+      addGroup(number, response, moved, result.freeValues, result.pairs);
+      if (!contact_) continue;
       for (std::size_t m = 0; m < group.members().size(); ++m) {
-        const Subdomain& subdomain = *group.members()[m].subdomain;
-        Vector& values = result.freeValues[groupMembers_[g][m]];
-        values = Vector(subdomain.dofs());
-        for (int k = 0; k < subdomain.dofs(); ++k) values(k) = response.displacement(group.positionsOf(static_cast<int>(m))[k]);
-        if (contact_) contact_->bodies().addMotion(groupMembers_[g][m], subdomain, state.rigid, values);
+        const int place = groupMembers_[g][m];
+        contact_->bodies().addMotion(place, *group.members()[m].subdomain, state.rigid, result.freeValues[place]);
       }
-      for (std::size_t p = 0; p < group.pairs().size(); ++p)
-        result.pairs.push_back({group.pairs()[p].id, response.status[p], response.force(p)});
-      if (laws_.restrictSliding()) addTangentialForces(group, response, moved, result.pairs);
-      for (const ContactPair& pair : group.idlePairs()) result.pairs.push_back({pair.id, PairStatus::Open, 0.0});
     }
   });
   result.energy = sumOver(*comm_, energy) - (contact_ ? contact_->rigidWork(state) : 0.0);

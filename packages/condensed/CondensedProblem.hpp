@@ -32,6 +32,7 @@ class CondensedProblem : public InterfaceProblem {
   Linearisation linearise(const InterfaceState& state) const override;
   Teuchos::RCP<InterfaceOperator> withoutContact() const override;
   Recovered recover(const InterfaceState& state) const override;
+  std::optional<BrokenField> brokenField(const InterfaceState& state, const std::vector<Vector>& corrections) const override;
   int pieces() const override { return pieces_; }
   int pairs() const override { return pairs_; }
 
@@ -62,6 +63,9 @@ class CondensedProblem : public InterfaceProblem {
   /// U.S U of each plain subdomain, identified by its place. Local.
   void addPlainEnergies(const std::vector<Vector>& trace, const std::function<void(int subdomain, double energy)>& add) const;
   Vector movedRows(int group, const InterfaceState& state) const;
+  /// Adds the free values of a group's members, without rigid motions, and the forces of its pairs.
+  void addGroup(int group, const ContactGroup::Response& response, const Vector& moved, std::vector<Vector>& freeValues,
+                std::vector<PairForce>& pairs) const;
 
   CommPtr comm_;
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;

@@ -211,6 +211,45 @@ std::vector<Vector> ContactInterfaceProblem::interiors(const InterfaceState& sta
   return freeValues;
 }
 
+/// \param force, gaps  of all rows
+PairForce ContactInterfaceProblem::forceOf(int i, const InterfaceState& state, const Vector& force, const Vector& gaps) const {
+  const ContactRow& row = rows_->row(i);
+  const ContactState& own = state.status[0][static_cast<std::size_t>(i)];
+  PairForce result{row.pair.id, own, force(i)};
+  if (row.restrictsSliding())
+    result.tangential = cartesian(row.pair, space_->dimension(), rows_->pairForces(i, force, gaps).tangential(own));
+  return result;
+}
+
+std::optional<BrokenField> ContactInterfaceProblem::brokenField(const InterfaceState& state, const std::vector<Vector>& corrections) const {
+  Matrix trace;
+  space_->gather(*state.trace, trace);
+  BrokenField result;
+  Matrix out = Matrix::Zero(space_->overlapSize(), 1);
+  double largest = 0.0;
+  collectively(*comm_, "recovering the interiors", [&] {
+    for (std::size_t i = 0; i < locals_.size(); ++i) {
+      const Coupling& coupling = space_->coupling(static_cast<int>(i));
+      Matrix own(locals_[i]->size(), 1);
+      coupling.restrictTo(trace, own);
+      if (!corrections.empty()) own += corrections[i];
+      result.freeValues.push_back(locals_[i]->recover(own.col(0)));
+      const Vector forces = locals_[i]->boundaryForces(result.freeValues.back());
+      if (forces.size() > 0) largest = std::max(largest, forces.lpNorm<Eigen::Infinity>());
+      coupling.addTransposed(forces, out);
+    }
+  });
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, largest, Teuchos::outArg(result.largestForce));
+  space_->sum(out);
+  const Vector gaps = rows_->gaps(trace, movedRows(state));
+  if (restrictsSliding()) rows_->addSlipForces(state.status[0], gaps, out);
+  const PairTangent& tangent = tangents_->of(state.status);
+  result.residual = balance_->residual(out, *tangent.space, tangent.friction.get());
+  const Vector force = rows_->clusters().forces(state.status[0], out.col(0));
+  for (int i = 0; i < rows_->size(); ++i) result.pairs.push_back(forceOf(i, state, force, gaps));
+  return result;
+}
+
 InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceState& state) const {
   Matrix trace;
   space_->gather(*state.trace, trace);
@@ -234,14 +273,8 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
       if (contact_) contact_->bodies().addMotion(static_cast<int>(i), subdomain, state.rigid, values);
     }
   });
-  for (int i = 0; i < rows_->size(); ++i) {
-    if (!rows_->isOwned(i)) continue;
-    const ContactRow& row = rows_->row(i);
-    const ContactState& own = state.status[0][static_cast<std::size_t>(i)];
-    result.pairs.push_back({row.pair.id, own, force(i)});
-    if (row.restrictsSliding())
-      result.pairs.back().tangential = cartesian(row.pair, space_->dimension(), rows_->pairForces(i, force, gaps).tangential(own));
-  }
+  for (int i = 0; i < rows_->size(); ++i)
+    if (rows_->isOwned(i)) result.pairs.push_back(forceOf(i, state, force, gaps));
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, energy, Teuchos::outArg(result.energy));
   if (contact_) result.energy -= contact_->rigidWork(state);
   return result;

@@ -37,6 +37,7 @@ class ContactInterfaceProblem : public InterfaceProblem {
   std::vector<int> differing(const ContactStates& a, const ContactStates& b) const override { return rows_->differing(a, b); }
   Recovered recover(const InterfaceState& state) const override;
   std::vector<Vector> interiors(const InterfaceState& state) const override;
+  std::optional<BrokenField> brokenField(const InterfaceState& state, const std::vector<Vector>& corrections) const override;
   bool reloads() const override { return true; }
   void reload() override;
   void rememberPath(const std::vector<BodyForces>& carried) override {
@@ -47,6 +48,7 @@ class ContactInterfaceProblem : public InterfaceProblem {
   const ContactProblem* contact() const override { return contact_.get(); }
 
  private:
+  PairForce forceOf(int row, const InterfaceState& state, const Vector& force, const Vector& gaps) const;
   bool restrictsSliding() const { return pairs_ > 0 && laws_.restrictSliding(); }
   Vector shearStiffness() const;
   void takeLoads();

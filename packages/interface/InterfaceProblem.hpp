@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
+#include <suture/interface/BrokenField.hpp>
 #include <suture/interface/ContactProblem.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
 #include <suture/interface/InterfaceState.hpp>
@@ -8,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace suture {
@@ -64,6 +66,12 @@ class InterfaceProblem {
   virtual Recovered recover(const InterfaceState& state) const = 0;
   /// The freeValues of recover(), possibly cheaper.
   virtual std::vector<Vector> interiors(const InterfaceState& state) const { return recover(state).freeValues; }
+
+  /// The field of a state with corrections of the traces. Nothing if the formulation does not offer it.
+  /// \param corrections  by local problem, in the order of linearise(state).matrix->locals(); empty: none
+  virtual std::optional<BrokenField> brokenField(const InterfaceState& state, const std::vector<Vector>& corrections) const {
+    return (void)state, (void)corrections, std::nullopt;
+  }
 
   /// True if reload() may be called.
   virtual bool reloads() const { return false; }

@@ -125,7 +125,7 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
 void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
             const CholmodFactor& factor, const MonolithicOptions& options, Vector& x, ContactSolution& contact) {
   const Vector diagonal = system.stiffness().diagonal();
-  if (diagonal.size() == 0 || diagonal.maxCoeff() <= kMuchStiffer * diagonal.minCoeff()) return;
+  if (diagonal.size() == 0 || (!options.balances && diagonal.maxCoeff() <= kMuchStiffer * diagonal.minCoeff())) return;
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
   Rest rest{x, system.onFree(system.nodalForces() - system.internalForces(system.expand(x))), {}};
   Matrix inner = rest.load.head(leading);

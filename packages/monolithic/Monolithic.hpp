@@ -18,6 +18,7 @@ struct MonolithicOptions {
   int maximumIterations = 200;        ///< solves of the condensed contact problem with an active set
   std::vector<ContactState> start{};  ///< initial state of each pair; empty: all closed, or with friction an automatic start
   CholmodOptions::Ordering ordering = CholmodOptions::Ordering::Automatic;
+  bool balances = false;  ///< refine the solution in any case, so that nodal forces balance up to their own round-off
 };
 
 /// Solution of the whole mesh on one rank.

@@ -2,6 +2,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/monolithic/Reference.hpp>
+#include <suture/solver/BalanceForces.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -62,6 +63,7 @@ Schema Reference::schema() {
 Reference::Reference(const Parameters& settings, const Parameters& own) {
   options_.maximumIterations = settings.sublist("Outer Solver").get<int>("Maximum Iterations");
   options_.ordering = CholmodOptions::orderingNamed(own.get<std::string>("Ordering"));
+  options_.balances = wantsErrorBound(settings);
 }
 
 double Reference::megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const {
@@ -115,7 +117,23 @@ Solution Reference::doSolve(Monitor& monitor, const Start* start, const Keep&) {
   std::vector<const SubdomainMesh*> pointers;
   for (const SubdomainMesh& mesh : scene().meshes) pointers.push_back(&mesh);
   solution.pairs = pairResults(comm, pointers, solution.displacement, result.forces);
+  if (options_.balances) addBalancing(std::move(result.forces), solution);
   return solution;
+}
+
+/// The forces of a refined solution balance: there is nothing to correct. \param forces  on rank 0
+void Reference::addBalancing(std::vector<PairForce> forces, Solution& solution) const {
+  if (!solution.converged) {
+    solution.notBalanced = "the run did not converge";
+    return;
+  }
+  broadcast(*scene().comm, forces);
+  std::map<int, PairForce> all;
+  for (const PairForce& pair : forces) all[pair.id] = pair;
+  Balancing& balancing = solution.balancing.emplace();
+  balancing.correction.resize(scene().meshes.size());
+  for (const SubdomainMesh& mesh : scene().meshes)
+    for (const ContactRow& row : mesh.contactRows) balancing.forces[row.pair.id] = all.at(row.pair.id);
 }
 
 namespace {

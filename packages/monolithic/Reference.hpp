@@ -30,6 +30,7 @@ class Reference : public Method {
 
  private:
   std::vector<ContactState> statesOf(const Start& start) const;
+  void addBalancing(std::vector<PairForce> forces, Solution& solution) const;
 
   MonolithicOptions options_;
   std::unique_ptr<const MonolithicSystem> system_;  // on rank 0

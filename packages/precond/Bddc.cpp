@@ -64,7 +64,7 @@ Bddc::Bddc(CoarseOptions levels, Inverses inverses)
     : weighting_(levels.weighting()), primal_(levels.primal()), levels_(std::move(levels)), kind_(inverses) {}
 
 struct Bddc::Work {
-  Matrix overlap;
+  Matrix overlap, sum;
   Matrix flux, trace;       // fluxes of all local problems, concatenated; the trace of one
   std::vector<Vector> own;  // Phi_i^T times each local problem's flux
   Vector values;            // values of one local problem's primal unknowns
@@ -230,7 +230,8 @@ void Bddc::factorLocals(std::vector<PrimalRows>& constraints) {
   }
 }
 
-void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
+template <typename Each>
+void Bddc::solveLocals(const MultiVector& r, const Each& each) const {
   if (!work_) work_ = std::make_unique<Work>();
   Work& work = *work_;
   const auto room = [](int rows) {
@@ -242,45 +243,59 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
   work.flux.resize(rows, 1);
   work.trace.resize(broken_->mostRows(), 1);
   work.own.resize(locals_.size());
+  if (averaging_) {
+    if (work.averaged.is_null()) work.averaged = space()->vector();
+    work.averaged->assign(r);
+    averaging_->applyTranspose(*work.averaged);
+    broken_->gather(*work.averaged, work.overlap);
+  } else {
+    broken_->gather(r, work.overlap);
+  }
+  work.primal.setZero(coarse_->sizeHere());
+  int begin = 0;
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    if (!locals_[i]) continue;
+    const Coupling& coupling = broken_->coupling(static_cast<int>(i));
+    auto flux = work.flux.middleRows(begin, coupling.rows());
+    begin += room(coupling.rows());
+    coupling.restrictTo(work.overlap, flux);
+    weighting_->applyTranspose(static_cast<int>(i), flux);
+    present_[i].inverse->applyBasisTransposed(flux.col(0), work.own[i]);
+    coarse_->addToPrimal(i, work.own[i], work.primal);
+  }
+  const Vector& y = coarse_->solve(work.primal);
+  begin = 0;
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    if (!locals_[i]) continue;
+    const Coupling& coupling = broken_->coupling(static_cast<int>(i));
+    auto trace = work.trace.topRows(coupling.rows());
+    work.values.setZero(work.own[i].size());
+    coarse_->addToValues(i, y, work.values);
+    present_[i].inverse->applyWithBasis(work.flux.middleRows(begin, coupling.rows()), work.own[i], work.values, trace);
+    begin += room(coupling.rows());
+    each(static_cast<int>(i), trace);
+  }
+}
+
+void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
+  if (!work_) work_ = std::make_unique<Work>();
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto zOne = z.getVectorNonConst(column);
-    if (averaging_) {
-      if (work.averaged.is_null()) work.averaged = space()->vector();
-      work.averaged->assign(*r.getVector(column));
-      averaging_->applyTranspose(*work.averaged);
-      broken_->gather(*work.averaged, work.overlap);
-    } else {
-      broken_->gather(*r.getVector(column), work.overlap);
-    }
-    work.primal.setZero(coarse_->sizeHere());
-    int begin = 0;
-    for (std::size_t i = 0; i < locals_.size(); ++i) {
-      if (!locals_[i]) continue;
-      const Coupling& coupling = broken_->coupling(static_cast<int>(i));
-      auto flux = work.flux.middleRows(begin, coupling.rows());
-      begin += room(coupling.rows());
-      coupling.restrictTo(work.overlap, flux);
-      weighting_->applyTranspose(static_cast<int>(i), flux);
-      present_[i].inverse->applyBasisTransposed(flux.col(0), work.own[i]);
-      coarse_->addToPrimal(i, work.own[i], work.primal);
-    }
-    const Vector& y = coarse_->solve(work.primal);
-    work.overlap.setZero();
-    begin = 0;
-    for (std::size_t i = 0; i < locals_.size(); ++i) {
-      if (!locals_[i]) continue;
-      const Coupling& coupling = broken_->coupling(static_cast<int>(i));
-      auto trace = work.trace.topRows(coupling.rows());
-      work.values.setZero(work.own[i].size());
-      coarse_->addToValues(i, y, work.values);
-      present_[i].inverse->applyWithBasis(work.flux.middleRows(begin, coupling.rows()), work.own[i], work.values, trace);
-      begin += room(coupling.rows());
-      weighting_->apply(static_cast<int>(i), trace);
-      coupling.addTransposed(trace, work.overlap);
-    }
-    broken_->scatterAdd(work.overlap, *zOne);
+    Matrix& sum = work_->sum;
+    sum.setZero(broken_->overlapSize(), 1);
+    solveLocals(*r.getVector(column), [&](int i, auto trace) {
+      weighting_->apply(i, trace);
+      broken_->coupling(i).addTransposed(trace, sum);
+    });
+    broken_->scatterAdd(sum, *zOne);
     if (averaging_) averaging_->apply(*zOne);
   }
+}
+
+std::optional<std::vector<Vector>> Bddc::doBrokenCorrection(const MultiVector& r) const {
+  std::vector<Vector> traces(locals_.size());
+  solveLocals(r, [&](int i, const auto& trace) { traces[static_cast<std::size_t>(i)] = trace.col(0); });
+  return traces;
 }
 
 }  // namespace suture

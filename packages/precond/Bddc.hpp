@@ -35,8 +35,12 @@ class Bddc : public Preconditioner {
   void doInitialize() override;
   void doCompute() override;
   void doApply(const MultiVector& r, MultiVector& z) const override;
+  std::optional<std::vector<Vector>> doBrokenCorrection(const MultiVector& r) const override;
 
  private:
+  /// Calls each(i, x_i) for the local problems of this rank. Collective. \param r  one column
+  template <typename Each>
+  void solveLocals(const MultiVector& r, const Each& each) const;
   PrimalChoice choose();
   bool computeBroken(int locals, bool isBrokenHere);
   void factor(std::vector<PrimalRows> rows, int locals);

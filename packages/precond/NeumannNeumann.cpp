@@ -109,4 +109,30 @@ void NeumannNeumann::doApply(const MultiVector& r, MultiVector& z) const {
   }
 }
 
+std::optional<std::vector<Vector>> NeumannNeumann::doBrokenCorrection(const MultiVector& r) const {
+  space()->gather(r, residual_);
+  Matrix coarse = Matrix::Zero(residual_.rows(), 1);
+  if (coarse_) {
+    y_ = coarse_->fromResidual(residual_);
+    whole_.setZero(residual_.rows(), 1);
+    coarse_->addImages(y_, whole_);
+    space()->sum(whole_);
+    residual_ -= whole_;
+    coarse_->addColumns(y_, coarse);
+    space()->sum(coarse);
+  }
+  std::vector<Vector> traces(inverses_.size());
+  for (std::size_t i = 0; i < inverses_.size(); ++i) {
+    if (!inverses_[i]) continue;
+    const Coupling& coupling = space()->coupling(static_cast<int>(i));
+    Matrix flux(coupling.rows(), 1), trace = flux, common = flux;
+    coupling.restrictTo(residual_, flux);
+    weighting_->applyTranspose(static_cast<int>(i), flux);
+    inverses_[i]->apply(flux, trace);
+    coupling.restrictTo(coarse, common);
+    traces[i] = trace.col(0) + common.col(0);
+  }
+  return traces;
+}
+
 }  // namespace suture

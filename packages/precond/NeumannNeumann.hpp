@@ -29,6 +29,9 @@ class NeumannNeumann : public Preconditioner {
   void doInitialize() override;
   void doCompute() override;
   void doApply(const MultiVector& r, MultiVector& z) const override;
+  /// R_i Q r + S_i^+ D_i^T R_i (I - S Q) r: the residual on the right is orthogonal to the coarse space, so the local Neumann problems have
+  /// solutions.
+  std::optional<std::vector<Vector>> doBrokenCorrection(const MultiVector& r) const override;
   /// Sets up T for matrix(); the weighting is already set up. Collective.
   virtual void computeLocals();
   /// sum <- sum + this rank's part of T residual, both as overlap values. Collective.

@@ -56,6 +56,12 @@ void Preconditioner::apply(const MultiVector& r, MultiVector& z, Teuchos::ETrans
   z.update(alpha, *product, beta);
 }
 
+std::optional<std::vector<Vector>> Preconditioner::brokenCorrection(const MultiVector& r) const {
+  if (matrix_.is_null()) throw InternalError("a preconditioner is applied before compute()");
+  const InterfaceOperator::Unrecorded itsOwn(*matrix_);
+  return doBrokenCorrection(r);
+}
+
 void registerBuiltIns(Registry<Preconditioner>& registry) {
   registry.add("BDDC", Bddc::schema, [](const Parameters& own) { return std::make_unique<Bddc>(own); });
   registry.add("Neumann-Neumann", NeumannNeumann::schema, [](const Parameters& own) { return std::make_unique<NeumannNeumann>(own); });

@@ -2,7 +2,9 @@
 #include <suture/base/Registry.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace suture {
 
@@ -24,6 +26,11 @@ class Preconditioner : public Operator {
   void apply(const MultiVector& r, MultiVector& z, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1.0,
              double beta = 0.0) const override;
   bool hasTransposeApply() const override { return true; }  // symmetric
+  /// Traces w_i of the local problems, which differ where these meet, whose forces balance a residual: sum_i R_i^T S_i w_i = r, up to the
+  /// accuracy of the coarse solve and of stored inverses (repeat for the rest). In BDDC with an exact coarse solve they are the local
+  /// solutions before averaging, and sum_i w_i.S_i w_i = r.M^-1 r. Nothing if the strategy has no such traces. Collective.
+  /// \param r  one column
+  std::optional<std::vector<Vector>> brokenCorrection(const MultiVector& r) const;
 
   const std::shared_ptr<const InterfaceSpace>& space() const { return space_; }
   const Teuchos::RCP<const InterfaceOperator>& matrix() const { return matrix_; }
@@ -41,6 +48,8 @@ class Preconditioner : public Operator {
   virtual void doCompute() = 0;
   /// z <- M^-1 r. Implementations may apply matrix().
   virtual void doApply(const MultiVector& r, MultiVector& z) const = 0;
+  /// See brokenCorrection().
+  virtual std::optional<std::vector<Vector>> doBrokenCorrection(const MultiVector& r) const { return (void)r, std::nullopt; }
 
  private:
   std::shared_ptr<const InterfaceSpace> space_;

@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/solver/BalanceForces.hpp>
 #include <suture/solver/Decomposition.hpp>
 #include <suture/solver/SolveInterface.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
@@ -31,16 +32,34 @@ Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep
       return solutionOf(result);
     });
   };
-  OuterResult result =
-      solveInterface(*problem_, given.settings, monitor, from ? &*from : nullptr, discretisationError,
-                     keep ? accepted : std::function<void(const InterfaceState&)>(), given.inSteps ? &preconditioner_ : nullptr);
+  const bool balances = wantsErrorBound(given.settings);
+  Teuchos::RCP<Preconditioner> made;  // kept only for balancing
+  OuterResult result = solveInterface(*problem_, given.settings, monitor, from ? &*from : nullptr, discretisationError,
+                                      keep ? accepted : std::function<void(const InterfaceState&)>(),
+                                      given.inSteps ? &preconditioner_
+                                      : balances    ? &made
+                                                    : nullptr);
   if (!result.converged && result.slides.size() > 0)
     result.failure = slidesAway(problem_->contact()->bodies(), result.slides, given.model.bodies,
                                 problem_->contact()->laws().restrictSliding(), result.multiple);
   if (!result.converged && !result.unsettled.empty())
     result.failure += unsettled(*problem_->contact(), result.unsettled, given.contacts, given.model.bodies,
                                 result.iterations >= given.settings.sublist("Outer Solver").get<int>("Maximum Iterations"));
-  return solutionOf(result);
+  Solution solution = solutionOf(result);
+  if (balances) addBalancing(result, given.inSteps ? preconditioner_ : made, solution);
+  return solution;
+}
+
+/// \param preconditioner  of the solution; null if it needed none
+void Decomposition::addBalancing(const OuterResult& result, Teuchos::RCP<Preconditioner> preconditioner, Solution& solution) const {
+  if (!solution.converged) {
+    solution.notBalanced = "the run did not converge";
+    return;
+  }
+  if (preconditioner.is_null()) preconditioner = makePreconditioner(scene().settings.sublist("Preconditioner"));
+  BalancedForces balanced = balanceForces(*problem_, result.state, *preconditioner, subdomains_);
+  solution.balancing = std::move(balanced.balancing);
+  solution.notBalanced = std::move(balanced.reason);
 }
 
 void Decomposition::doReload() {

@@ -2,6 +2,7 @@
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/solver/Method.hpp>
+#include <suture/solver/OuterSolver.hpp>
 
 #include <memory>
 
@@ -26,6 +27,8 @@ class Decomposition : public Method {
   void doReload() override;
 
  private:
+  void addBalancing(const OuterResult& result, Teuchos::RCP<Preconditioner> preconditioner, Solution& solution) const;
+
   Subdomains subdomains_;
   std::unique_ptr<InterfaceProblem> problem_;
   Teuchos::RCP<Preconditioner> preconditioner_;  // preconditioner of the last load step; null without load steps

@@ -85,6 +85,13 @@ void SubdomainProblem::applySchur(ConstLocalView trace, LocalView flux) const {
   if (balanced_.cols() > 0) flux -= balanced_ * (balanced_.transpose() * flux).eval();
 }
 
+Vector SubdomainProblem::boundaryForces(const Vector& freeValues) const {
+  const Vector forces = subdomain_.stiffness() * freeValues - subdomain_.load();
+  Vector flux = rowsAt(forces, positions_);
+  if (balanced_.cols() > 0) flux -= balanced_ * (balanced_.transpose() * (flux + condensedLoad())).eval();
+  return flux;
+}
+
 double softestStiffness(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) {
   double mine = std::numeric_limits<double>::max(), all = mine;
   for (const auto& subdomain : subdomains)

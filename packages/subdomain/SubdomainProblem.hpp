@@ -38,6 +38,8 @@ class SubdomainProblem : public LocalProblem {
   const Subdomain& subdomain() const { return subdomain_; }
   /// Values of the subdomain's free unknowns for a trace.
   Vector recover(const Vector& trace) const { return schur_->recover(trace); }
+  /// K u - f on the boundary, from the values of recover(): unlike applySchur() without the round-off of the Schur complement. [force]
+  Vector boundaryForces(const Vector& freeValues) const;
 
  protected:
   Matrix doHint(const std::string& name) const override { return rowsAt(subdomain_.hint(name).values, positions_); }
