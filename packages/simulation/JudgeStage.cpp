@@ -84,7 +84,8 @@ void boundError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     return;
   }
   solution.bound = timed(timers, "bound", [&] {
-    return errorBound(comm, {meshes, scene.model, solution.displacement, {}, solution.pairs, parts, solution.energy, reasons});
+    return errorBound(comm, {meshes, scene.model, solution.displacement, solution.balancing, solution.pairs, parts, solution.energy,
+                             reasons, solution.notBalanced});
   });
 }
 

@@ -95,8 +95,8 @@ class Collector {
     const std::vector<char> inner = innerSides(mesh);
     const InitialState initial(solution_.model, mesh.body);
     const Vector& displacement = solution_.displacement[m];
-    const bool corrected = !solution_.correction.empty() && solution_.correction[m].size() > 0;
-    const Vector balanced = corrected ? Vector(displacement + solution_.correction[m]) : displacement;
+    const bool corrected = solution_.balancing && solution_.balancing->correction[m].size() > 0;
+    const Vector balanced = corrected ? Vector(displacement + solution_.balancing->correction[m]) : displacement;
     const std::vector<const Load*> loads = bodyLoads(mesh);
     Vector scratch = Vector::Zero(displacement.size());
     for (int e = 0; e < mesh.elements(); ++e) {

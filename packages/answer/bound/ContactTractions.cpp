@@ -54,6 +54,17 @@ struct TouchingPair {
   }
 };
 
+/// Normal force of a pair in the balanced field.
+struct BalancedForce {
+  int id = -1;
+  double force = 0.0;
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.id), each(self.force);
+  }
+};
+
 /// Traction on a side, as sent from rank 0.
 struct SideTraction {
   int rank = -1, number = -1;
@@ -100,8 +111,8 @@ class ContactNodes {
   /// Nodes of pairs of one node on each side. Returns what prevents it.
   std::string fromPairs(const std::vector<Pair>& pairs) {
     for (const Pair& pair : pairs) {
-      const bool closed = pair.result.state.closed();
-      add({pair.pair.a, pair.pair.b, {0, 0, 0}, pair.pair.normal, closed ? pair.result.force : 0.0, closed ? 0.0 : pair.result.gap});
+      const double force = pair.result.state.closed() ? pair.result.force : 0.0;
+      add({pair.pair.a, pair.pair.b, {0, 0, 0}, pair.pair.normal, force, pair.result.gap});
     }
     return "";
   }
@@ -350,8 +361,8 @@ std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& sol
 
 /// The tractions of all contacts, on rank 0. \param kind  dimension and degree
 void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, std::array<int, 2> kind,
-             const std::vector<TouchingSide>& sides, const std::vector<TouchingPair>& pairs, ContactTractions& result,
-             std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
+             const std::vector<TouchingSide>& sides, const std::vector<TouchingPair>& pairs, const std::vector<BalancedForce>& forces,
+             ContactTractions& result, std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
   std::vector<OneContact> all;
   std::map<int, std::size_t> ofLine;
   for (std::size_t i = 0; i < contacts.touching.size(); ++i) {
@@ -361,11 +372,13 @@ void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, std
   for (const TouchingSide& side : sides) all[side.contact].add(side);
   std::map<int, const TouchingPair*> byId;
   for (const TouchingPair& pair : pairs) byId[pair.id] = &pair;
-  std::map<int, const PairResult*> resultOf;
-  for (const PairResult& own : solution.pairs) resultOf[own.id] = &own;
+  std::map<int, PairResult> resultOf;
+  for (const PairResult& own : solution.pairs) resultOf[own.id] = own;
+  for (const BalancedForce& own : forces)
+    if (resultOf.count(own.id)) resultOf[own.id].force = own.force;
   for (const auto& [id, pair] : byId) {
     const auto line = ofLine.find(pair->line);
-    if (line != ofLine.end() && resultOf.count(id)) all[line->second].add(*pair, *resultOf.at(id));
+    if (line != ofLine.end() && resultOf.count(id)) all[line->second].add(*pair, resultOf.at(id));
   }
   for (OneContact& contact : all) contact.find(result, tractions, reasons);
 }
@@ -378,10 +391,14 @@ ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& soluti
   std::vector<TouchingPair> pairsHere;
   for (const SubdomainMesh& mesh : solution.meshes)
     for (const ContactRow& row : mesh.contactRows) pairsHere.push_back(pairOf(row));
+  std::vector<BalancedForce> forcesHere;
+  if (solution.balancing)
+    for (const auto& [id, force] : solution.balancing->forces) forcesHere.push_back({id, force.force});
   const std::vector<TouchingSide> sides = joinOnRoot(comm, sidesHere);
   const std::vector<TouchingPair> pairs = joinOnRoot(comm, pairsHere);
+  const std::vector<BalancedForce> forces = joinOnRoot(comm, forcesHere);
   collectivelyOnRoot(comm, "finding contact pressures",
-                     [&] { findAll(solution, contacts, kind, sides, pairs, result, tractions, reasons); });
+                     [&] { findAll(solution, contacts, kind, sides, pairs, forces, result, tractions, reasons); });
   Packer packer;
   packer.put(tractions);
   packer.put(result.lifts);

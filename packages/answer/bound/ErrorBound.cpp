@@ -77,9 +77,11 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
     parts.reasons.insert("contact pressures balance the nodal forces only on the average");
   const StarMesh<D> mesh(comm, solution.meshes, degree, parts.elements, parts.ofMesh, parts.boundary);
   const EquilibratedTractions<D> tractions = equilibratedTractions(mesh);
-  if (tractions.unbalanced > 0)
+  if (tractions.unbalanced > 0) {
     parts.reasons.insert("forces at " + std::to_string(tractions.unbalanced) + (tractions.unbalanced == 1 ? " node are" : " nodes are") +
-                         " concentrated, first near " + placeText(tractions.worst, D));
+                         " not balanced by tractions, most near " + placeText(tractions.worst, D));
+    if (!solution.notBalanced.empty()) parts.reasons.insert(solution.notBalanced);
+  }
   ErrorBound bound;
   Vector squares;
   double imbalance = 0.0;
@@ -96,9 +98,12 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   bound.solutionNorm = std::sqrt(sumOver(comm, parts.solutionNorm));
   bound.oscillation = std::sqrt(sumOver(comm, parts.oscillation));
   const double square = std::max(0.0, sumOver(comm, squares.sum())) + contact.gapWork;
-  bound.discretisation = std::sqrt(square);
+  // The correction of the solver is orthogonal to the rest before the sweeps, and nearly so after them.
+  const double algebraic = solution.balancing ? solution.balancing->energy : 0.0;
+  bound.algebraic = std::sqrt(algebraic);
+  bound.discretisation = std::sqrt(std::max(0.0, square - algebraic));
   const double lifted = sumOver(comm, parts.liftNorm);
-  bound.total = bound.discretisation + bound.oscillation + std::sqrt(lifted);
+  bound.total = std::sqrt(square) + bound.oscillation + std::sqrt(lifted);
   bound.energyUpper = solution.energy + contact.liftWork + lifted / 2;
   bound.energyLower = bound.energyUpper - square / 2;
   for (std::size_t m = 0; m < solution.meshes.size(); ++m) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/answer/Balancing.hpp>
 #include <suture/answer/PairResult.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/constraints/BoundaryParts.hpp>
@@ -6,6 +7,7 @@
 #include <suture/pairs/ContactLaw.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,12 +35,13 @@ struct ErrorBound {
 struct BoundedSolution {
   const std::vector<SubdomainMesh>& meshes;
   const ElasticModel& model;
-  const std::vector<Vector>& displacement;  ///< of each mesh of this rank, node-major, Cartesian [length]
-  const std::vector<Vector>& correction;    ///< Balancing::correction; empty: none
-  const std::vector<PairResult>& pairs;     ///< on rank 0, all
-  const BoundaryParts& parts;               ///< on rank 0
-  double energy = 0.0;                      ///< potential energy of the solution [energy]
-  std::vector<std::string> reasons{};       ///< known reasons against a strict bound, on rank 0
+  const std::vector<Vector>& displacement;    ///< of each mesh of this rank, node-major, Cartesian [length]
+  const std::optional<Balancing>& balancing;  ///< of the solver; none: the forces of its elements are taken as they are
+  const std::vector<PairResult>& pairs;       ///< on rank 0, all
+  const BoundaryParts& parts;                 ///< on rank 0
+  double energy = 0.0;                        ///< potential energy of the solution [energy]
+  std::vector<std::string> reasons{};         ///< known reasons against a strict bound, on rank 0
+  std::string notBalanced{};                  ///< why `balancing` is missing
 };
 
 /// Bounds the error by statically admissible stresses tau (Prager and Synge, Quart. Appl. Math. 5, 1947): with a displacement v without
