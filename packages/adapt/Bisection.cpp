@@ -52,8 +52,8 @@ class Refiner {
     cutElements();
     checkNodes();
     passOnGroups();
-    placeOnShapes(mesh(), result_.fine.round, old_.nodes());
     result_.fine.twins = splits_.twins().pairs();
+    placeOnShapes(mesh(), result_.fine.round, result_.fine.twins, old_.nodes());
     return std::move(result_);
   }
 
@@ -243,7 +243,10 @@ RefinableMesh refinable(Mesh mesh, std::vector<NodePairs> twins, Boundary bounda
   check(mesh);
   RefinableMesh result;
   result.marks = markLongestEdges(mesh, twins);
-  if (boundary == Boundary::Round) result.round = findRoundSides(mesh);
+  if (boundary == Boundary::Round) {
+    result.round = findRoundSides(mesh);
+    placeMiddlesOpposite(mesh, result.round, twins);
+  }
   result.mesh = std::move(mesh);
   result.twins = std::move(twins);
   return result;

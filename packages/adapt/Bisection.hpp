@@ -17,7 +17,8 @@ struct RefinableMesh {
 };
 
 /// Prepares a mesh for bisection: finds a refinement edge for each element, its longest; between edges of equal length (to 1e-9) the place
-/// decides, so that the result does not depend on the numbering. Edges opposite across a contact count as one. Local (rank 0).
+/// decides, so that the result does not depend on the numbering. Edges opposite across a contact count as one. Mid-side nodes on
+/// round sides may move a little: placeMiddlesOpposite(). Local (rank 0).
 /// \param mesh  with bodies (assignBodies()), of simplices (simplicialMesh()), without coatings \param twins  contactTwins(); pairs of
 /// mid-side nodes are ignored \throws InternalError  other cells, coatings
 RefinableMesh refinable(Mesh mesh, std::vector<NodePairs> twins, Boundary boundary = Boundary::Round);

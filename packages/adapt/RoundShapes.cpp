@@ -1,6 +1,7 @@
 #include <suture/adapt/RoundShapes.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/SideGeometry.hpp>
 #include <suture/mesh/Surface.hpp>
 
 #include <Eigen/Dense>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <unordered_map>
 
 namespace suture {
 
@@ -18,6 +20,8 @@ constexpr double kFit = 1e-6;  // distance from the shape over its radius, or ov
 constexpr double kLargestTurn = 15.001 * 3.14159265358979 / 180;  // between neighbouring sides of first order
 constexpr double kFlattest = 1e3;                                 // radius over the extent of the nodes
 constexpr int kNewtonSteps = 20;
+constexpr double kOpen = 1e-9;               // smallest gap over the radius that gives a direction
+constexpr double kLongestWay = 4.0;          // way along a line to a shape over the distance from it
 constexpr double kSmallestPart = 1e-2;       // smallest Jacobian of an element with a moved node over the largest
 constexpr int kAlternatingProjections = 50;  // onto the shapes that meet at an edge
 
@@ -183,26 +187,96 @@ void moveBack(Mesh& mesh, const std::map<int, Point>& before) {
   }
 }
 
-}  // namespace
+/// Place of a node on the straight side, and the way to its opposite node.
+struct Opposite {
+  Point straight, away;
+};
 
-void placeOnShapes(Mesh& mesh, const RoundSides& round, int first) {
-  std::map<int, std::vector<int>> shapesOf;  // new node -> shapes
+/// Nodes of round sides that have an opposite node across an open contact. \param middlesOnly  without vertices
+std::map<int, Opposite> oppositesOf(const Mesh& mesh, const RoundSides& round, const std::vector<NodePairs>& twins, bool middlesOnly) {
+  std::unordered_map<int, Point> away;
+  for (const NodePairs& pairs : twins)
+    for (const auto& [a, b] : pairs) {
+      const Point d = minus(mesh.point(b), mesh.point(a));
+      away.emplace(a, d);
+      away.emplace(b, scaled(-1.0, d));
+    }
+  std::map<int, Opposite> found;
+  for (const auto& [side, shape] : round.sides) {
+    const double least = kOpen * round.shapes[static_cast<std::size_t>(shape)].radius;
+    const std::vector<int> nodes = mesh.nodesOf(side);
+    const int vertices = sideVertices(static_cast<int>(nodes.size()), mesh.dimension);
+    const auto put = [&](int node, const Point& straight, const Point& d) {
+      if (norm(d) > least) found.emplace(node, Opposite{straight, d});
+    };
+    for (int k = 0; k < static_cast<int>(nodes.size()); ++k) {
+      const int p = nodes[k % vertices], q = nodes[(k + 1) % vertices];
+      if (away.count(p) == 0 || (k >= vertices && away.count(q) == 0)) continue;
+      if (k >= vertices)
+        put(nodes[k], scaled(0.5, plus(mesh.point(p), mesh.point(q))), scaled(0.5, plus(away.at(p), away.at(q))));
+      else if (!middlesOnly)
+        put(p, mesh.point(p), away.at(p));
+    }
+  }
+  return found;
+}
+
+/// Shapes of some nodes.
+using ShapesOfNodes = std::map<int, std::vector<int>>;
+
+template <typename Wanted>
+ShapesOfNodes shapesOfNodes(const Mesh& mesh, const RoundSides& round, const Wanted& wanted) {
+  ShapesOfNodes shapes;
   for (const auto& [side, shape] : round.sides)
     for (const int node : mesh.nodesOf(side)) {
-      if (node < first) continue;
-      std::vector<int>& own = shapesOf[node];
+      if (!wanted(node)) continue;
+      std::vector<int>& own = shapes[node];
       if (std::find(own.begin(), own.end(), shape) == own.end()) own.push_back(shape);
     }
-  if (shapesOf.empty()) return;
+  return shapes;
+}
+
+Point placeOf(Point at, const RoundSides& round, const std::vector<int>& shapes, const Opposite* opposite) {
+  if (opposite != nullptr && shapes.size() == 1)
+    if (const auto place = round.shapes[static_cast<std::size_t>(shapes[0])].along(opposite->straight, opposite->away)) return *place;
+  for (int k = 0; k < (shapes.size() > 1 ? kAlternatingProjections : 1); ++k)
+    for (const int shape : shapes) at = round.shapes[static_cast<std::size_t>(shape)].project(at);
+  return at;
+}
+
+void place(Mesh& mesh, const RoundSides& round, const ShapesOfNodes& shapesOf, const std::map<int, Opposite>& opposites) {
   std::map<int, Point> before;
   for (const auto& [node, shapes] : shapesOf) {
-    Point at = mesh.point(node);
-    before[node] = at;
-    for (int k = 0; k < (shapes.size() > 1 ? kAlternatingProjections : 1); ++k)
-      for (const int shape : shapes) at = round.shapes[static_cast<std::size_t>(shape)].project(at);
-    setPoint(mesh, node, at);
+    const auto opposite = opposites.find(node);
+    before[node] = mesh.point(node);
+    setPoint(mesh, node, placeOf(before[node], round, shapes, opposite == opposites.end() ? nullptr : &opposite->second));
   }
-  moveBack(mesh, before);
+  if (!before.empty()) moveBack(mesh, before);
+}
+
+}  // namespace
+
+void placeOnShapes(Mesh& mesh, const RoundSides& round, const std::vector<NodePairs>& twins, int first) {
+  const ShapesOfNodes shapes = shapesOfNodes(mesh, round, [&](int node) { return node >= first; });
+  if (!shapes.empty()) place(mesh, round, shapes, oppositesOf(mesh, round, twins, false));
+}
+
+void placeMiddlesOpposite(Mesh& mesh, const RoundSides& round, const std::vector<NodePairs>& twins) {
+  const std::map<int, Opposite> opposites = oppositesOf(mesh, round, twins, true);
+  place(mesh, round, shapesOfNodes(mesh, round, [&](int node) { return opposites.count(node) > 0; }), opposites);
+}
+
+std::optional<Point> RoundShape::along(const Point& from, const Point& direction) const {
+  const Point way = minus(direction, scaled(dot(direction, axis), axis));
+  Point w = minus(from, centre);
+  w = minus(w, scaled(dot(w, axis), axis));
+  const double a = dot(way, way), b = dot(w, way), c = dot(w, w) - radius * radius, square = b * b - a * c;
+  if (!(a > 0) || !(square > 0)) return std::nullopt;
+  const double q = -(b + std::copysign(std::sqrt(square), b));
+  const double step = c / q;  // the root of smaller magnitude
+  const Point move = scaled(step, direction);
+  if (norm(move) > kLongestWay * std::abs(norm(w) - radius) + unitRoundoff * radius) return std::nullopt;
+  return plus(from, move);
 }
 
 Point RoundShape::project(const Point& point) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/adapt/ContactTwins.hpp>
 #include <suture/mesh/Mesh.hpp>
 
 #include <optional>
@@ -15,6 +16,8 @@ struct RoundShape {
 
   /// Nearest point of the shape. Local.
   Point project(const Point& point) const;
+  /// Nearest point of the shape on a line; nothing if the line misses the shape or grazes it. Local.
+  std::optional<Point> along(const Point& from, const Point& direction) const;
 };
 
 /// Round shapes of side groups, and the sides that lie on them.
@@ -34,7 +37,13 @@ enum class Boundary {
 RoundSides findRoundSides(const Mesh& mesh);
 
 /// Moves the new nodes of round sides onto their shapes, except where an element would become flat or inverted; a node of several shapes
-/// goes to their intersection. Local (rank 0). \param first  number of the first new node
-void placeOnShapes(Mesh& mesh, const RoundSides& round, int first);
+/// goes to their intersection. Across an open contact nodes move along the line to their opposite nodes, so that these stay opposite; else
+/// along the normal of the shape. Local (rank 0).
+/// \param twins  opposite vertices \param first  number of the first new node
+void placeOnShapes(Mesh& mesh, const RoundSides& round, const std::vector<NodePairs>& twins, int first);
+
+/// Moves mid-side nodes of round sides along their shapes until they are opposite across open contacts, as placeOnShapes() places new ones.
+/// Distances are of third order in the size of the sides. Local (rank 0).
+void placeMiddlesOpposite(Mesh& mesh, const RoundSides& round, const std::vector<NodePairs>& twins);
 
 }  // namespace suture

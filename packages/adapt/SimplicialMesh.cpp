@@ -261,7 +261,7 @@ class Builder {
       for (const Side& part : own) parts.emplace_back(part, shape);
     }
     round.sides = std::move(parts);
-    placeOnShapes(mesh(), round, old_.nodes());
+    placeOnShapes(mesh(), round, {}, old_.nodes());
   }
 
   /// Nodes of second order that no simplex of first order has.

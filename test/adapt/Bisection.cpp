@@ -370,3 +370,35 @@ TEUCHOS_UNIT_TEST(Bisection, KeepsNodesOppositeWhereAFaceContinuesBeyondTheConta
     }
   }
 }
+
+TEUCHOS_UNIT_TEST(Bisection, KeepsARoundFaceMatchingAcrossAGapAtAnyDepth) {
+  for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Tetrahedron4}) {
+    // The lower face of the upper body is part of a circle, in 3D of a cylinder, of radius 4 that touches the lower body in its middle.
+    Mesh mesh = boxes({box("lower", cell, 8), box("upper", cell, 8, 1, 2)});
+    const int up = mesh.dimension - 1;
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      double& height = mesh.coordinates[std::size_t(node) * mesh.dimension + up];
+      const double x = mesh.point(node)[0];
+      if (mesh.bodyOfNode[node] == 1) height += (4 - std::sqrt(16 - (x - 0.5) * (x - 0.5))) * (2 - height);
+    }
+    if (cell == Cell::Triangle6)  // mid-side nodes at the middles of the arcs, as meshers place them
+      for (const Side& side : mesh.sideGroups.at("upper_bottom")) {
+        const std::vector<int> n = mesh.nodesOf(side);
+        const double a = std::asin((mesh.point(n[0])[0] - 0.5) / 4), b = std::asin((mesh.point(n[1])[0] - 0.5) / 4);
+        mesh.coordinates[std::size_t(n[2]) * 2] = 0.5 + 4 * std::sin((a + b) / 2);
+        mesh.coordinates[std::size_t(n[2]) * 2 + 1] = 5 - 4 * std::cos((a + b) / 2);
+      }
+    RefinableMesh level = refinable(mesh, contactTwins(mesh, contact()));
+    TEST_EQUALITY(level.round.shapes.size(), std::size_t(1));
+    for (int k = 0; k < levelsFor(cell, 14, 5); ++k) {
+      level = bisect(level, near(level.mesh, {0.9, mesh.dimension == 2 ? 1.0 : 0.5, 1})).fine;
+      assignBodies(level.mesh, mesh.bodies);
+      TEST_EQUALITY(unmatched(level.mesh), 0);
+      for (const Side& side : level.mesh.sideGroups.at("upper_bottom"))
+        for (const int node : level.mesh.nodesOf(side)) {
+          const Point p = level.mesh.point(node);
+          TEST_FLOATING_EQUALITY(std::hypot(p[0] - 0.5, p[up] - 5), 4.0, 1e-13);
+        }
+    }
+  }
+}
