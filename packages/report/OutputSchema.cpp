@@ -14,6 +14,10 @@ Schema outputSchema() {
       .boolean("Error Estimate", false,
                "Estimate the discretisation error in the energy norm from recovered stresses, per element (field ErrorEstimate, "
                "summary, console). Implied by an automatic tolerance.")
+      .boolean("Error Bars", false,
+               "Estimate the errors of the forces of contacts and supports (force_error in the summary), from the estimate of the "
+               "discretisation error, which it implies; mark extremes of stresses and pressures as estimate, or as singular where the "
+               "exact value is unbounded.")
       .boolean("Mesh Error", true,
                "If there is no other estimate: estimate the discretisation error from averaged stresses, a rougher and cheaper method "
                "(summary, console). Warns above 25 %.")

@@ -3,6 +3,7 @@
 #include <suture/answer/solvability/NeutralMotions.hpp>
 #include <suture/answer/solvability/UndeterminedForces.hpp>
 #include <suture/answer/values/NodalStresses.hpp>
+#include <suture/answer/values/SingularExtremes.hpp>
 #include <suture/answer/verdict/Verify.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/simulation/JudgeStage.hpp>
@@ -24,8 +25,10 @@ constexpr std::size_t kNotes = 3;  // groups of contacts with undetermined force
 }  // namespace
 
 bool wantsErrorEstimate(const Parameters& settings) {
-  return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings);
+  return settings.sublist("Output").get<bool>("Error Estimate") || wantsErrorBars(settings) || isAutomatic(settings);
 }
+
+bool wantsErrorBars(const Parameters& settings) { return settings.sublist("Output").get<bool>("Error Bars"); }
 
 bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("Output").get<bool>("Nodal Stresses"); }
 
@@ -99,6 +102,18 @@ void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, con
   solution.safety = findSafety(comm, fields);
   solution.rigidGroups = rigidGroupMotions(comm, meshes, solution.displacement);
   if (solution.sinceTime) solution.extremes.displacementSince = largestVector(comm, meshes, solution.since);
+}
+
+void findErrorBars(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, const std::vector<ContactPiece>& pieces,
+                   const Solution& shown, Solution& solution) {
+  if (!wantsErrorBars(scene.settings()) || !solution.converged || !solution.discretisation) return;
+  const double norm = solution.discretisation->solutionNorm;
+  ErrorBars& bars = solution.errorBars.emplace();
+  bars.discretisation = solution.discretisation->relative();
+  bars.algebraic = norm > 0.0 ? std::max(0.0, solution.energyError) / norm : 0.0;
+  bars.turning = largestTurning(pieces, shown.pairs);
+  findSharedNodes(comm, meshes, bars);
+  bars.singular = singularExtremes(comm, meshes, scene.model, shown, {"von_mises", "tension", "compression", "pressure"});
 }
 
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,
