@@ -3,6 +3,7 @@
 #include <suture/answer/OuterFigures.hpp>
 #include <suture/answer/PairResult.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
+#include <suture/answer/values/ErrorBars.hpp>
 #include <suture/answer/values/Extremes.hpp>
 #include <suture/answer/values/RigidGroupMotions.hpp>
 #include <suture/answer/values/SafetyFactors.hpp>
@@ -62,6 +63,7 @@ struct Solution : OuterFigures {
   double energy = 0.0;                   ///< total potential energy a(u,u)/2 - L(u)
   Verification verification;             ///< checks (empty before verify()) and the balance of forces
   Extremes extremes;                     ///< see findExtremes()
+  std::optional<ErrorBars> errorBars{};  ///< if requested and the run converged
   SafetyFactors safety;                  ///< see findSafety(); with load steps the least factors over all steps
   std::map<std::string, double> errors;  ///< against the exact solution of the scene, if any: see exactErrors()
 

@@ -138,6 +138,13 @@ std::string accuracy(const Run& run) {
                 reached.levels.size() == 1 ? "1 mesh" : (grouped(static_cast<long long>(reached.levels.size())) + " meshes").c_str());
 }
 
+// "   forces of contacts and supports: estimated error up to 1.2e+00 N (error bars in summary.json)"
+std::string forceErrors(const Run& run) {
+  if (!run.solution.errorBars) return "";
+  return format("   forces of contacts and supports: estimated error up to %.1e %s, see force_error in summary.json\n",
+                largestForceError(run), unitsOf(*run.scene.parameters).force.c_str());
+}
+
 fs::path fileOf(const Run& run, const std::string& name) { return fs::path(run.folder) / name; }
 
 /// "   to try: ..., from where this run ended: --restart "out/checkpoint.h5" --set "Outer Solver/Maximum Iterations=10"" at the limit.
@@ -201,8 +208,8 @@ std::string advice(const std::string& indent) { return indent + "doc/convergence
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
           << verdict(run.monitor, run.solution.verification) << meshError(run.solution) << whatToTry(run) << pathWork(run)
-          << exactErrors(run.solution.errors) << estimatedErrors(run.solution) + boundText(run.solution, run.model.dimension)
-          << accuracy(run) << extremesText(run, figures.dimension);
+          << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << boundText(run.solution, run.model.dimension)
+          << forceErrors(run) << accuracy(run) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB per rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;

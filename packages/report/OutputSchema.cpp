@@ -17,6 +17,10 @@ Schema outputSchema() {
       .boolean("Error Bound", false,
                "Bound the error in the energy norm from above, without unknown constants, and give the contribution of each element (field "
                "ErrorBound, summary, console). Where that is not possible, the figure is an estimate, with the reason.")
+      .boolean("Error Bars", false,
+               "Estimate the errors of the forces of contacts and supports (force_error in the summary), from the estimate of the "
+               "discretisation error, which it implies; mark extremes of stresses and pressures as estimate, or as singular where the "
+               "exact value is unbounded.")
       .boolean("Mesh Error", true,
                "If there is no other estimate: estimate the discretisation error from averaged stresses, a rougher and cheaper method "
                "(summary, console). Warns above 25 %.")

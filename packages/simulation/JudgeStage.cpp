@@ -3,11 +3,13 @@
 #include <suture/answer/solvability/NeutralMotions.hpp>
 #include <suture/answer/solvability/UndeterminedForces.hpp>
 #include <suture/answer/values/NodalStresses.hpp>
+#include <suture/answer/values/SingularExtremes.hpp>
 #include <suture/answer/verdict/Verify.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/LoadPath.hpp>
+#include <suture/solver/BalanceForces.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -34,8 +36,11 @@ bool hasOwnPhysics(const Comm& comm, const Subdomains& subdomains) {
 }  // namespace
 
 bool wantsErrorEstimate(const Parameters& settings) {
-  return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings) || AccuracyRequest::of(settings);
+  return settings.sublist("Output").get<bool>("Error Estimate") || wantsErrorBars(settings) || isAutomatic(settings) ||
+         AccuracyRequest::of(settings);
 }
+
+bool wantsErrorBars(const Parameters& settings) { return settings.sublist("Output").get<bool>("Error Bars"); }
 
 bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("Output").get<bool>("Nodal Stresses"); }
 
@@ -70,8 +75,6 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, recovered); });
   if (nodal) solution.nodalStresses = timed(timers, "recover", [&] { return nodalStresses(comm, meshes, model, recovered); });
 }
-
-bool wantsErrorBound(const Parameters& settings) { return settings.sublist("Output").get<bool>("Error Bound"); }
 
 void boundError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
                 const BoundaryParts& parts, bool followsPath, Solution& solution, Timers& timers) {
@@ -123,6 +126,18 @@ void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, con
   solution.safety = findSafety(comm, fields);
   solution.rigidGroups = rigidGroupMotions(comm, meshes, solution.displacement);
   if (solution.sinceTime) solution.extremes.displacementSince = largestVector(comm, meshes, solution.since);
+}
+
+void findErrorBars(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, const std::vector<ContactPiece>& pieces,
+                   const Solution& shown, Solution& solution) {
+  if (!wantsErrorBars(scene.settings()) || !solution.converged || !solution.discretisation) return;
+  const double norm = solution.discretisation->solutionNorm;
+  ErrorBars& bars = solution.errorBars.emplace();
+  bars.discretisation = solution.discretisation->relative();
+  bars.algebraic = norm > 0.0 ? std::max(0.0, solution.energyError) / norm : 0.0;
+  bars.turning = largestTurning(pieces, shown.pairs);
+  findSharedNodes(comm, meshes, bars);
+  bars.singular = singularExtremes(comm, meshes, scene.model, shown, {"von_mises", "tension", "compression", "pressure"});
 }
 
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,

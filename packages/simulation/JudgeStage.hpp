@@ -13,6 +13,9 @@ class LoadPath;
 /// True if the settings request an estimate of the discretisation error, as a result or for an automatic tolerance. Local.
 bool wantsErrorEstimate(const Parameters& settings);
 
+/// True if the settings request estimated errors of forces. Local.
+bool wantsErrorBars(const Parameters& settings);
+
 /// True if the settings request recovered stresses at the nodes. Local.
 bool wantsNodalStresses(const Parameters& settings);
 
@@ -24,9 +27,6 @@ void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const s
 /// Adds the errors of the solution (against the exact solution, if the scene has one; estimated, if the settings request it) and, on
 /// request, recovered stresses. Phases "errors", "estimate", "recover". Collective.
 void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution, Timers& timers);
-
-/// True if the settings request a bound of the error. Local.
-bool wantsErrorBound(const Parameters& settings);
 
 /// Adds a bound of the error (errorBound) if the settings request it. Phase "bound". Collective. \param parts  on rank 0 \param followsPath
 /// the solution is the last one of a path of load steps
@@ -45,6 +45,11 @@ std::vector<Matrix> recoveredStresses(const Comm& comm, const std::vector<Subdom
 
 /// Adds the extremes and the safety factors of the verified solution. Collective.
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution);
+
+/// Adds estimated errors of forces, if the settings request them, to a converged solution. Collective. \param pieces, shown  the contacts
+/// and the solution with the results of the scene's entries, as reported
+void findErrorBars(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, const std::vector<ContactPiece>& pieces,
+                   const Solution& shown, Solution& solution);
 
 /// Verifies the solution from its displacements and contact forces alone. If the verdict does not hold, the run has failed, even if the
 /// solver converged. Only user-defined entries of `subdomains` are called, for their forces and stresses; the other entries may be null.

@@ -1,3 +1,4 @@
+#include <suture/answer/values/SingularExtremes.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/report/Format.hpp>
@@ -15,8 +16,6 @@ using Json = nlohmann::ordered_json;
 namespace suture {
 
 namespace {
-
-constexpr double kEqualPressure = 1e-6;  // relative difference of pressures that count as equal; the first such pair is reported
 
 Json componentsOf(const Point& vector, int dimension) {
   Json all = Json::array();
@@ -64,6 +63,29 @@ std::string told(const Run& run, const char* pattern, const Extreme& found, cons
                 placeText(found.place, dimension).c_str());
 }
 
+/// Adds to each extreme of a stress how far its value can be trusted.
+void addAccuracy(const ErrorBars& bars, Json& extremes) {
+  for (const char* key : {"von_mises", "tension", "compression", "pressure"}) {
+    if (extremes[key].is_null()) continue;
+    const auto reason = bars.singular.find(key);
+    extremes[key]["accuracy"] = reason == bars.singular.end() ? "estimate" : "singular";
+    if (reason != bars.singular.end()) extremes[key]["reason"] = reason->second;
+  }
+}
+
+/// The largest resultant of all conditions and contacts.
+double largestForce(const std::vector<ConditionResultant>& conditions, const std::vector<ContactResultant>& contacts) {
+  double largest = 0;
+  for (const ConditionResultant& one : conditions) largest = std::max(largest, norm(one.sum.force));
+  for (const ContactResultant& one : contacts) largest = std::max(largest, norm(one.onB.force));
+  return largest;
+}
+
+int numberOf(const std::vector<std::string>& names, const std::string& name) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  return at == names.end() ? -1 : static_cast<int>(at - names.begin());
+}
+
 }  // namespace
 
 std::string bodyName(const Run& run, int body) {
@@ -107,16 +129,6 @@ Resultant sumOfResultants(const std::vector<ConditionResultant>& conditions, con
   return sum;
 }
 
-const PairResult* largestPressure(const Solution& solution) {
-  double most = 0.0;
-  for (const auto* list : {&solution.pairs, &solution.onAxis})
-    for (const PairResult& pair : *list) most = std::max(most, pair.pressure);
-  for (const auto* list : {&solution.pairs, &solution.onAxis})
-    for (const PairResult& pair : *list)
-      if (pair.pressure >= most * (1.0 - kEqualPressure)) return &pair;
-  return nullptr;
-}
-
 Json extremesJson(const Run& run, int dimension) {
   const Extremes& found = run.solution.extremes;
   const Units units = unitsOf(*run.scene.parameters);
@@ -136,23 +148,42 @@ Json extremesJson(const Run& run, int dimension) {
                        {"contact", contactName(run, pair->line)},
                        {"bodies", bodiesOf(run, {{pair->bodies[0], pair->bodies[1]}})},
                        {"place", componentsOf(pair->position, dimension)}};
+  if (run.solution.errorBars) addAccuracy(*run.solution.errorBars, all);
   return all;
+}
+
+double largestForceError(const Run& run) {
+  if (!run.solution.errorBars) return 0.0;
+  const std::vector<ConditionResultant> conditions = conditionResultants(run);
+  const std::vector<ContactResultant> contacts = contactResultants(run);
+  const double force = largestForce(conditions, contacts);
+  double largest = 0;
+  for (const ConditionResultant& one : conditions)
+    if (one.kind == "support") largest = std::max(largest, run.solution.errorBars->ofCondition(numberOf(run.conditions, one.name), force));
+  for (std::size_t line = 0; line < contacts.size(); ++line)
+    largest = std::max(largest, run.solution.errorBars->ofContact(static_cast<int>(line), force));
+  return largest;
 }
 
 Json reactionsJson(const Run& run, int dimension) {
   const std::vector<ConditionResultant> conditions = conditionResultants(run);
   const std::vector<ContactResultant> contacts = contactResultants(run);
+  const std::optional<ErrorBars>& bars = run.solution.errorBars;
+  const double largest = largestForce(conditions, contacts);
   Json all = {{"about", componentsOf({0, 0, 0}, dimension)}, {"conditions", Json::object()}, {"contacts", Json::object()}};
   for (const ConditionResultant& condition : conditions) {
     Json row = {{"kind", condition.kind}};
     row.update(resultantOf(condition.sum, dimension));
+    if (bars && condition.kind == "support") row["force_error"] = bars->ofCondition(numberOf(run.conditions, condition.name), largest);
     all["conditions"][condition.name] = row;
   }
   for (std::size_t line = 0; line < contacts.size(); ++line) {
     Json row = contactJson(run, contacts[line], dimension);
+    if (bars) row["force_error"] = bars->ofContact(static_cast<int>(line), largest);
     for (const ContactResultant& part : contacts[line].ofBodies) row["of_bodies"].push_back(contactJson(run, part, dimension));
     all["contacts"][contactName(run, static_cast<int>(line))] = row;
   }
+  if (bars) all["force_error_kind"] = "estimate";
   all["sum"] = resultantOf(sumOfResultants(conditions, contacts), dimension);
   return all;
 }

@@ -24,11 +24,11 @@ std::vector<ContactResultant> contactResultants(const Run& run);
 /// Sum over all conditions and rigid obstacles; zero within the accuracy of the solution. On rank 0.
 Resultant sumOfResultants(const std::vector<ConditionResultant>& conditions, const std::vector<ContactResultant>& contacts);
 
+/// Largest estimated error of the force of a support or contact, if error bars are requested. On rank 0. [force]
+double largestForceError(const Run& run);
+
 /// Name of a body, "" for a rigid obstacle. Local.
 std::string bodyName(const Run& run, int body);
-
-/// The largest contact pressure, including points on the axis; null without pairs. On rank 0.
-const PairResult* largestPressure(const Solution& solution);
 
 /// `extremes` and `reactions` of summary.json. On rank 0.
 nlohmann::ordered_json extremesJson(const Run& run, int dimension);
