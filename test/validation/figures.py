@@ -310,6 +310,20 @@ def history_energyIncrease(folder, _):
     return float((np.diff(energy) / np.abs(energy[:-1])).max()) if len(energy) > 1 else 0.0
 
 
+# --- V21: bounds of the error in the energy norm ---
+
+def bound_overError(folder, _):
+    """The bound divided by the error against the scene's exact solution."""
+    s = summary(folder)
+    return s["bound"]["total"] / s["error"]["energy_norm"]
+
+
+def bound_effectivity(folder, _, energy):
+    """The bound divided by the error |u - u_h|, where |u - u_h|^2 = 2 (J(u_h) - J(u)). energy: the potential energy J(u)."""
+    s = summary(folder)
+    return s["bound"]["total"] / math.sqrt(2 * (s["energy"] - energy))
+
+
 def vtk_quadrilateralArea(folder, _):
     """Area of all quadrilaterals from VTK's own reader, computed in the order of their corners."""
     from vtkmodules.vtkCommonDataModel import VTK_QUAD

@@ -1,0 +1,29 @@
+// An L: two by one below, one by one on its left half. With base = 1 a block lies below it; points of the contact are doubled.
+DefineConstant[ h = {0.25}, base = {0}, order = {1} ];
+n = 1/h;
+Point(1) = {0, 0, 0, h}; Point(2) = {2, 0, 0, h}; Point(3) = {2, 1, 0, h};
+Point(4) = {1, 1, 0, h}; Point(5) = {1, 2, 0, h}; Point(6) = {0, 2, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6}; Line(6) = {6, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6};
+Plane Surface(1) = {1};
+Transfinite Curve {1, 6} = 2*n + 1;
+Transfinite Curve {2, 3, 4, 5} = n + 1;
+Physical Surface("angle") = {1};
+Physical Curve("angle_bottom") = {1};
+Physical Curve("angle_step") = {3};
+Physical Curve("angle_top") = {5};
+Physical Curve("angle_left") = {6};
+If (base)
+  Point(11) = {0, 0, 0, h}; Point(12) = {2, 0, 0, h}; Point(13) = {2, -1, 0, h}; Point(14) = {0, -1, 0, h};
+  Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 11};
+  Curve Loop(2) = {11, 12, 13, 14};
+  Plane Surface(2) = {2};
+  Transfinite Curve {11, 13} = 2*n + 1;
+  Transfinite Curve {12, 14} = n + 1;
+  Physical Surface("block") = {2};
+  Physical Curve("block_top") = {11};
+  Physical Curve("block_bottom") = {13};
+  Physical Curve("block_left") = {14};
+EndIf
+Mesh.ElementOrder = order;
+Mesh.Algorithm = 6;
