@@ -145,7 +145,7 @@ class BoundScene(Scene):
     def wave(self):
         """A factor that varies in space and is not a polynomial."""
         r = self.random
-        return "(1 + 0.5*sin(%.17g*x + %.17g*y))" % tuple(r.uniform(-4, 4) / self.length for _ in range(2))
+        return "(1 + 0.5*sin(%.17g*x + %.17g*y))" % self.turned([r.uniform(-4, 4) / self.length for _ in range(2)])
 
     def touch(self, below, above):
         """Contact of two sides, sometimes with friction."""
