@@ -19,6 +19,7 @@ constexpr double kAim = 0.7;      // error of the last mesh over the requested o
 constexpr double kStep = 3.0;     // largest decrease of the error from one mesh to the next
 constexpr double kNear = 0.75;    // a goal that is not much smaller than the largest decrease is the aim itself
 constexpr double kCheap = 4.0;    // unknowns of the last mesh over those of a uniform one that only measures the rate
+constexpr double kRefined = 1.5;  // Gmsh makes up to this many times the elements of half the size
 constexpr double kWorth = 1.25;   // a capped mesh needs this many times the unknowns of the present one
 
 }  // namespace
@@ -122,7 +123,9 @@ class AdaptiveLevels {
   bool measuresRate() const {
     if (reached_.levels.size() != 1) return false;
     const double growth = std::pow(error_.relative() / (kAim * request_.error), static_cast<double>(dimension_) / order_);
-    return growth > kCheap * std::pow(2.0, dimension_);
+    const double parts = std::pow(2.0, dimension_);
+    const double unknowns = kRefined * parts * static_cast<double>(reached_.levels.front().unknowns);
+    return growth > kCheap * parts && unknowns <= static_cast<double>(request_.mostUnknowns);
   }
 
   /// The scene on another mesh, checked; nothing, and the limit, if the mesh cannot be made or exceeds the memory.
