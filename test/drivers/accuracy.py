@@ -69,7 +69,8 @@ for ranks in (1, 2, 4):
     check("boxes: bisection", {level["refinement"] for level in accuracy["levels"][1:]} <= {"bisection", "uniform"}, True)
     first = first or accuracy
     check("boxes: the same meshes", [level["unknowns"] for level in accuracy["levels"]], [level["unknowns"] for level in first["levels"]])
-_, _, fine = solve("boxes_fine", BOXES, *error(0.001))
+code, _, fine = solve("boxes_fine", BOXES, *error(0.001))
+check("boxes: the reference", code, 0)
 norm = summary["error"]["estimated_energy_norm"] / summary["error"]["estimated_energy_norm_relative"]
 for level in first["levels"][1:]:
     true = (2 * (level["energy"] - fine["energy"])) ** 0.5 / norm
