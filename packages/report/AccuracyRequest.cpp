@@ -30,9 +30,7 @@ Schema AccuracyRequest::schema() {
           "Error", kNone, {kNone}, {0.0, 1.0, true, true, {}},
           "Largest relative error of the quantity, 0.01 for 1 %; the error of Energy is the energy norm of the error over that of "
           "the solution. None: the scene is solved on its own mesh.")
-      .text("Quantity", kEnergy,
-            "Energy, Largest Pressure, or the name of a contact (its force) or of a condition (its reaction, or its mean displacement). "
-            "The error of the energy norm is a bound where summary.json calls it strict; those of other quantities are estimates.")
+      .oneOf("Quantity", kEnergy, {kEnergy}, "Quantity of which the error is meant. Energy: the energy norm.")
       .oneOf("Order", "Automatic", {"Automatic", "1", "2"}, "Order of the elements. Automatic: Mesh/Order, or 2 without it.")
       .integer("Most Unknowns", 2000000, "Largest number of unknowns of a mesh, predicted before it is made.", Range::atLeast(1))
       .real("Most Seconds", 0.0, "Time limit for all meshes; a mesh that would exceed it is not made. 0: none.", Range::atLeast(0), "s")
@@ -58,7 +56,8 @@ std::string AccuracyReached::failure() const {
   static const std::map<std::string, std::string> limits{{"unknowns", "Accuracy/Most Unknowns"},
                                                          {"memory", "the memory"},
                                                          {"time", "Accuracy/Most Seconds"},
-                                                         {"levels", "Accuracy/Most Levels"}};
+                                                         {"levels", "Accuracy/Most Levels"},
+                                                         {"mesh", "the mesher, which cannot make the next mesh"}};
   if (isMet()) return "";
   const auto name = limits.find(limit);
   return "the error of " + (quantity == AccuracyRequest::kEnergy ? "the energy norm" : quantity) + " is " + percent(reached) +

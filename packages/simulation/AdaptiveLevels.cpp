@@ -2,7 +2,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Timers.hpp>
 #include <suture/simulation/LevelError.hpp>
-#include <suture/simulation/SizePlan.hpp>
+#include <suture/simulation/MeshSequence.hpp>
 #include <suture/simulation/Stages.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
 
@@ -15,10 +15,12 @@ namespace suture {
 
 namespace {
 
-constexpr double kAim = 0.7;     // error of the last mesh over the requested one: predictions are not exact
-constexpr double kStep = 3.0;    // largest decrease of the error from one mesh to the next
-constexpr double kNear = 0.75;   // a goal that is not much smaller than the largest decrease is the aim itself
-constexpr double kWorth = 1.25;  // a capped mesh needs this many times the unknowns of the present one
+constexpr double kAim = 0.7;      // error of the last mesh over the requested one: predictions are not exact
+constexpr double kStep = 3.0;     // largest decrease of the error from one mesh to the next
+constexpr double kNear = 0.75;    // a goal that is not much smaller than the largest decrease is the aim itself
+constexpr double kCheap = 4.0;    // unknowns of the last mesh over those of a uniform one that only measures the rate
+constexpr double kRefined = 1.5;  // Gmsh makes up to this many times the elements of half the size
+constexpr double kWorth = 1.25;   // a capped mesh needs this many times the unknowns of the present one
 
 }  // namespace
 
@@ -26,6 +28,10 @@ constexpr double kWorth = 1.25;  // a capped mesh needs this many times the unkn
 class AdaptiveLevels {
  public:
   explicit AdaptiveLevels(JudgedScene judged) : judged_(std::move(judged)), request_(*judged_.parts_->given->accuracy) {
+    const Mesh& mesh = *parts().whole;
+    if (comm().getRank() == 0) dimension_ = mesh.dimension, order_ = cellInfo(mesh.cells.front()).order;
+    broadcastBytes(comm(), &dimension_, sizeof dimension_);
+    broadcastBytes(comm(), &order_, sizeof order_);
     reached_.requested = request_.error;
     reached_.quantity = request_.quantity;
     end(judged_.run().timers().total(), "start");
@@ -48,6 +54,10 @@ class AdaptiveLevels {
     Scene scene;
     std::string refinement;
   };
+  struct Plan {
+    double unknowns = 0.0;
+    int isCapped = 0, isLate = 0;
+  };
 
   const SceneParts& parts() const { return *judged_.parts_; }
   const Comm& comm() const { return judged_.run().comm(); }
@@ -69,39 +79,53 @@ class AdaptiveLevels {
 
   /// The scene on the next mesh; without one, sets the limit.
   Next nextMesh() {
-    Next next{*parts().given, "size field"};
+    Next next{*parts().given, ""};
+    const std::shared_ptr<MeshSequence> meshes = next.scene.meshes;
     if (static_cast<int>(reached_.levels.size()) >= request_.mostLevels) {
       reached_.limit = "levels";
       return next;
     }
     const AccuracyLevel& last = reached_.levels.back();
     const double perElement = static_cast<double>(last.unknowns) / static_cast<double>(last.elements);
-    const double goal = kAim * request_.error * error_.norm, step = error_.error / kStep;
-    const double wanted = goal > kNear * step ? goal : step;
-    const int elements = static_cast<int>(last.elements);
-    const std::vector<double> squares = squaresOnRoot(comm(), judged_.meshes(), error_.ofElements, elements);
-    const std::vector<FacingNodes> facing = facingNodes(comm(), judged_.meshes(), *parts().whole);
-    auto sizes = std::make_shared<SizeField>();
-    struct Plan {
-      double unknowns = 0.0;
-      int isCapped = 0, isLate = 0;
-    } plan;
-    collectivelyOnRoot(comm(), "choosing the sizes of the next mesh", [&] {
-      SizePlan found =
-          planSizes(*parts().whole, squares, facing, {wanted * wanted, static_cast<double>(request_.mostUnknowns) / perElement});
+    const double wanted = wantedError();
+    const bool isUniform = measuresRate();
+    MeshErrors errors{*parts().whole,
+                      squaresOnRoot(comm(), judged_.meshes(), error_.ofElements, static_cast<int>(last.elements)),
+                      facingNodes(comm(), judged_.meshes(), *parts().whole),
+                      {wanted * wanted, static_cast<double>(request_.mostUnknowns) / perElement},
+                      isUniform};
+    Plan plan;
+    collectivelyOnRoot(comm(), "planning the next mesh", [&] {
+      const MeshPlan found = meshes->plan(errors);
       plan.unknowns = found.elements * perElement;
       plan.isCapped = found.isCapped;
       const double seconds = last.seconds * plan.unknowns / static_cast<double>(last.unknowns);
       plan.isLate = request_.mostSeconds > 0.0 && judged_.run().timers().total() + seconds > request_.mostSeconds;
-      *sizes = std::move(found.field);
     });
     broadcastBytes(comm(), &plan, sizeof plan);
     if (plan.isCapped != 0 && plan.unknowns < kWorth * static_cast<double>(last.unknowns))
       reached_.limit = "unknowns";
     else if (plan.isLate != 0)
       reached_.limit = "time";
-    next.scene.mesh = [remesh = next.scene.remesh, sizes](const Comm& ranks) { return remesh(ranks, sizes); };
+    next.refinement = isUniform ? "uniform" : meshes->name();
+    next.scene.mesh = [meshes](const Comm& ranks) { return meshes->next(ranks); };
     return next;
+  }
+
+  /// Energy norm of the error that the next mesh is to have.
+  double wantedError() const {
+    const double goal = kAim * request_.error * error_.norm, step = error_.error / kStep;
+    return goal > kNear * step ? goal : step;
+  }
+
+  /// True if the second mesh is a uniform refinement of the first one, whose cost is small beside that of the last mesh: the two give the
+  /// rate of uniform refinement.
+  bool measuresRate() const {
+    if (reached_.levels.size() != 1) return false;
+    const double growth = std::pow(error_.relative() / (kAim * request_.error), static_cast<double>(dimension_) / order_);
+    const double parts = std::pow(2.0, dimension_);
+    const double unknowns = kRefined * parts * static_cast<double>(reached_.levels.front().unknowns);
+    return growth > kCheap * parts && unknowns <= static_cast<double>(request_.mostUnknowns);
   }
 
   /// The scene on another mesh, checked; nothing, and the limit, if the mesh cannot be made or exceeds the memory.
@@ -138,7 +162,25 @@ class AdaptiveLevels {
     return true;
   }
 
+  /// Cost of uniform refinement from the first mesh to the present error e: N = N_0 (e_0 / e)^(1 / r). The rate r is that between the first
+  /// two meshes, if the second one is a uniform refinement, otherwise the best possible one, order / dimension. The time is that of the
+  /// last mesh times the ratio of the unknowns.
+  void predictUniform() {
+    const AccuracyLevel &first = reached_.levels.front(), &last = reached_.levels.back();
+    if (!(first.error > 0.0 && last.error > 0.0)) return;
+    double rate = static_cast<double>(order_) / dimension_;
+    if (reached_.levels.size() > 1 && reached_.levels[1].refinement == "uniform") {
+      const AccuracyLevel& second = reached_.levels[1];
+      rate = std::min(rate, std::log(first.error / second.error) /
+                                std::log(static_cast<double>(second.unknowns) / static_cast<double>(first.unknowns)));
+    }
+    if (!(rate > 0.0)) return;
+    const double unknowns = static_cast<double>(first.unknowns) * std::pow(std::max(first.error / last.error, 1.0), 1.0 / rate);
+    reached_.uniform = AccuracyReached::Uniform{order_, unknowns, last.seconds * unknowns / static_cast<double>(last.unknowns)};
+  }
+
   void finish() {
+    predictUniform();
     if (judged_.solution_.isValid() || !reached_.limit.empty()) {
       if (const std::string failure = reached_.failure(); !failure.empty() && judged_.solution_.failure.empty())
         judged_.solution_.failure = failure;
@@ -149,6 +191,7 @@ class AdaptiveLevels {
 
   JudgedScene judged_;
   const AccuracyRequest request_;
+  int dimension_ = 2, order_ = 2;
   LevelError error_;
   AccuracyReached reached_;
 };

@@ -59,8 +59,8 @@ Condition conditionOf(const ElasticSupport& support, const std::string& name) {
 
 /// Refuses assignments to parameters that the objects of the scene define, because they would have no effect.
 void refuseObjects(const std::vector<std::string>& settings, Problems& problems) {
-  const std::set<std::string> objects{"Model",   "Mesh",      "Bodies",    "Materials",      "Boundary Conditions",
-                                      "Contact", "Constants", "Functions", "Exact Solution", "Accuracy"};
+  const std::set<std::string> objects{"Model",   "Mesh",      "Bodies",    "Materials",     "Boundary Conditions",
+                                      "Contact", "Constants", "Functions", "Exact Solution"};
   for (const std::string& assignment : settings) {
     const std::string path = assignment.substr(0, assignment.find('='));
     const std::string list = path.substr(0, path.find('/'));
@@ -88,6 +88,19 @@ void record(const std::vector<Contact>& contacts, Parameters& list, Problems& pr
     if (!contact.groupsB.empty()) own.set("Side B", Teuchos::Array<std::string>(contact.groupsB));
     if (contact.initialGap) own.set("Initial Gap", contact.initialGap->text());
   }
+}
+
+/// The contacts between two faces of a list `Contact`, as far as their places on the mesh matter.
+std::vector<Contact> facingContacts(const Parameters& list) {
+  std::vector<Contact> all;
+  for (const std::string& name : sublistNames(list)) {
+    Contact contact;
+    contact.name = name;
+    contact.groupsA = groupNames(list.sublist(name), "Side A");
+    contact.groupsB = groupNames(list.sublist(name), "Side B");
+    if (!contact.groupsB.empty()) all.push_back(contact);
+  }
+  return all;
 }
 
 void setLines(Scene& scene, const std::vector<ContactLine>& lines) {
@@ -131,6 +144,7 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings()), steps = scene.steps](const Mesh& whole) {
     return buildConstraints(whole, all, contacts, scales, steps);
   };
+  requestAccuracy(scene, contacts);
   return scene;
 }
 
@@ -156,7 +170,7 @@ Scene sceneOf(const SceneFile& file) {
     scene.levels.push_back(sceneOf(level));
     scene.levels.back().isOneStep = true;
   }
-  prepareAccuracy(scene);
+  requestAccuracy(scene, facingContacts(all->sublist("Contact")));
   return scene;
 }
 

@@ -6,7 +6,6 @@
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/pairs/ContactSurface.hpp>
-#include <suture/reader/gmsh/SizeField.hpp>
 #include <suture/report/AccuracyRequest.hpp>
 #include <suture/solver/MakeSubdomains.hpp>
 
@@ -17,6 +16,8 @@
 #include <vector>
 
 namespace suture {
+
+class MeshSequence;
 
 /// A scene as objects: everything that the stages of a simulation need.
 struct Scene {
@@ -36,8 +37,7 @@ struct Scene {
   SceneFile file;                             ///< resolved settings of all packages and their origin, for the record of a run
   std::vector<Scene> levels;                  ///< the scene on coarser meshes for a nested start, coarsest first
   std::optional<AccuracyRequest> accuracy{};  ///< nothing: the scene is solved on its own mesh
-  /// Meshes the geometry of the scene with other sizes, which rank 0 has; empty: there is no geometry. Collective.
-  std::function<Mesh(const Comm&, std::shared_ptr<const SizeField>)> remesh{};
+  std::shared_ptr<MeshSequence> meshes{};     ///< with `accuracy`: the meshes, of which `mesh` makes the first one
 
   const Parameters& settings() const { return *file.parameters; }
   /// Names of the entries of the list `Contact`.

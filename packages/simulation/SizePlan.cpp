@@ -172,4 +172,12 @@ SizePlan planSizes(const Mesh& mesh, const std::vector<double>& squares, const s
   return result;
 }
 
+SizePlan uniformSizes(const Mesh& mesh, double factor) {
+  std::vector<double> sizes(static_cast<std::size_t>(mesh.nodes()), std::numeric_limits<double>::infinity());
+  for (int e = 0; e < mesh.elements(); ++e)
+    for (const int node : mesh.nodesOf(e))
+      sizes[static_cast<std::size_t>(node)] = std::min(sizes[static_cast<std::size_t>(node)], factor * sizeOf(mesh, e));
+  return {fieldOf(mesh, std::move(sizes)), mesh.elements() * std::pow(factor, -mesh.dimension), false};
+}
+
 }  // namespace suture

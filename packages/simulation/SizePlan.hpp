@@ -33,4 +33,7 @@ struct WantedError {
 /// \param mesh     simplices of order k \param squares  eta_K^2 of each element
 SizePlan planSizes(const Mesh& mesh, const std::vector<double>& squares, const std::vector<FacingNodes>& facing, const WantedError& wanted);
 
+/// The present sizes times a factor everywhere. Local (rank 0).
+SizePlan uniformSizes(const Mesh& mesh, double factor);
+
 }  // namespace suture

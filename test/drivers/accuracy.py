@@ -52,6 +52,30 @@ for level in coarse["accuracy"]["levels"] + fine["accuracy"]["levels"][:3]:
     true = (level["energy"] / fine["energy"] - 1) ** 0.5
     check("the estimate is close to the error", level["error"] / true, lambda part: 0.7 < part < 1.6)
 
+# The tunnel: |u - u_h|^2 <= 2 (J_h - J), with what its second-order sides change in J against the circle.
+_, _, fine = solve("tunnel_fine", TUNNEL, *error(0.0004))
+tunnel = json.loads((options.work / "tunnel_1" / "summary.json").read_text())
+norm = tunnel["error"]["estimated_energy_norm"] / tunnel["error"]["estimated_energy_norm_relative"]
+check("the true error with the circle", (2 * abs(tunnel["energy"] - fine["energy"])) ** 0.5 / norm, lambda part: part < 1.3 * 0.003)
+
+# Boxes of quadrilaterals, without a geometry: triangles of second order, bisected. The pressure is unbounded at the ends of
+# the contact.
+BOXES = pathlib.Path(__file__).parent / "punch_of_boxes.xml"
+first = None
+for ranks in (1, 2, 4):
+    code, text, summary = solve(f"boxes_{ranks}", BOXES, *error(0.01), ranks=ranks)
+    accuracy = summary["accuracy"]
+    check("boxes: the error is reached", (code, accuracy["limit"], accuracy["reached"] <= 0.01), (0, "", True))
+    check("boxes: bisection", {level["refinement"] for level in accuracy["levels"][1:]} <= {"bisection", "uniform"}, True)
+    first = first or accuracy
+    check("boxes: the same meshes", [level["unknowns"] for level in accuracy["levels"]], [level["unknowns"] for level in first["levels"]])
+code, _, fine = solve("boxes_fine", BOXES, *error(0.001))
+check("boxes: the reference", code, 0)
+norm = summary["error"]["estimated_energy_norm"] / summary["error"]["estimated_energy_norm_relative"]
+for level in first["levels"][1:]:
+    true = (2 * (level["energy"] - fine["energy"])) ** 0.5 / norm
+    check("boxes: the estimate is close to the error", level["error"] / true, lambda part: 0.6 < part < 1.7)
+
 # Limits: the results so far, and exit code 4.
 code, text, summary = solve("levels", TUNNEL, *error(0.001), *setting("Accuracy/Most Levels", 1))
 check("one mesh", (code, summary["exit_code"], summary["accuracy"]["limit"], len(summary["accuracy"]["levels"])), (4, 4, "levels", 1))

@@ -104,26 +104,6 @@ class Straightening {
 
 }  // namespace
 
-double straightenSides(Mesh& mesh, const std::vector<std::string>& kept) {
-  std::vector<char> isKept(static_cast<std::size_t>(mesh.nodes()), 0);
-  for (const Side& side : sidesOf(mesh.sideGroups, kept))
-    for (const int node : mesh.nodesOf(side)) isKept[static_cast<std::size_t>(node)] = 1;
-  double largest = 0.0;
-  for (int e = 0; e < mesh.elements(); ++e) {
-    if (mesh.cells[e] != Cell::Tetrahedron10 && mesh.cells[e] != Cell::Triangle6) continue;
-    const CellInfo& cell = cellInfo(mesh.cells[e]);
-    const Span<const int> nodes = mesh.nodesOf(e);
-    for (std::size_t k = 0; k < cell.edges.size(); ++k) {
-      const int middle = nodes[static_cast<std::size_t>(cell.vertices) + k];
-      if (isKept[static_cast<std::size_t>(middle)]) continue;
-      const Point straight = scaled(0.5, plus(mesh.point(nodes[cell.edges[k][0]]), mesh.point(nodes[cell.edges[k][1]])));
-      largest = std::max(largest, norm(minus(straight, mesh.point(middle))));
-      std::copy_n(straight.begin(), mesh.dimension, mesh.coordinates.begin() + std::ptrdiff_t(middle) * mesh.dimension);
-    }
-  }
-  return largest;
-}
-
 Straightened straightenTangled(Mesh& mesh) { return Straightening(mesh).run(); }
 
 }  // namespace suture

@@ -1,9 +1,6 @@
 #pragma once
 #include <suture/mesh/Mesh.hpp>
 
-#include <string>
-#include <vector>
-
 namespace suture {
 
 /// Elements whose sides became straighter.
@@ -18,9 +15,5 @@ struct Straightened {
 /// side, or thin. Vertices stay where they are. Elements that are tangled with straight sides, too, are left for assignBodies() to refuse.
 /// Local (rank 0).
 Straightened straightenTangled(Mesh& mesh);
-
-/// Moves the mid-side nodes of all second-order triangles and tetrahedra into the middle of their edges, except those on the sides of some
-/// groups. Local (rank 0). \param kept  names of side groups \return the largest distance by which a node moved [length]
-double straightenSides(Mesh& mesh, const std::vector<std::string>& kept);
 
 }  // namespace suture

@@ -1,0 +1,13 @@
+#pragma once
+#include <suture/pairs/ContactSurface.hpp>
+#include <suture/simulation/MeshSequence.hpp>
+#include <suture/simulation/Scene.hpp>
+
+namespace suture {
+
+/// Meshes without a geometry: the scene's own mesh cut into triangles or tetrahedra, refined by bisection of marked elements. Contact faces
+/// stay matching. Local, the same on all ranks.
+/// \param scene  its mesh and bodies \param contacts  between two faces \param order  order of the elements
+std::shared_ptr<MeshSequence> bisectedMeshes(const Scene& scene, std::vector<Contact> contacts, int order);
+
+}  // namespace suture

@@ -1,0 +1,87 @@
+#include <suture/base/Collective.hpp>
+#include <suture/reader/MeshReader.hpp>
+#include <suture/simulation/GeometryMeshes.hpp>
+#include <suture/simulation/ReadStage.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+
+namespace suture {
+
+namespace {
+
+/// Sizes of the elements of the first mesh over those of the scene's own, in the order in which they are tried.
+constexpr double kCoarser[] = {4.0, 2.0, 1.0};
+
+class GeometryMeshes : public MeshSequence {
+ public:
+  GeometryMeshes(Scene scene, int order) : scene_(std::move(scene)), order_(order) {}
+
+  /// The coarsest mesh that fits the scene: on a coarse one bodies may overlap, or contact sides have no pairs.
+  Mesh start(const Comm& comm) override {
+    MeshChanges changes;
+    for (const double factor : kCoarser) {
+      changes.factor = factor;
+      Mesh made = mesh(comm, changes);
+      if (factor == kCoarser[2] || fits(comm, made)) return made;
+    }
+    return {};
+  }
+
+  MeshPlan plan(const MeshErrors& errors) override {
+    SizePlan found =
+        errors.isUniform ? uniformSizes(errors.whole, 0.5) : planSizes(errors.whole, errors.squares, errors.facing, errors.wanted);
+    sizes_ = std::make_shared<const SizeField>(std::move(found.field));
+    return {found.elements, found.isCapped};
+  }
+
+  Mesh next(const Comm& comm) override {
+    MeshChanges changes;
+    changes.sizes = sizes_;
+    changes.simplices = true;
+    return mesh(comm, changes);
+  }
+
+  std::string name() const override { return "size field"; }
+
+ private:
+  Mesh mesh(const Comm& comm, MeshChanges changes) const {
+    changes.order = order_;
+    const Parameters& list = scene_.settings().sublist("Mesh");
+    Mesh made = readMesh(comm, list, scene_.file.folder, changes);
+    int isSound = changes.simplices || isSimplicial(made);  // decided on rank 0
+    broadcastBytes(comm, &isSound, sizeof isSound);
+    if (isSound == 0) {
+      changes.simplices = true;
+      made = readMesh(comm, list, scene_.file.folder, changes);
+    }
+    return made;
+  }
+
+  bool fits(const Comm& comm, const Mesh& mesh) const {
+    Scene scene = scene_;
+    scene.mesh = [&mesh](const Comm&) { return mesh; };
+    try {
+      const Mesh bodies = readBodies(comm, scene);
+      readConstraints(comm, bodies, scene);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  static bool isSimplicial(const Mesh& mesh) {
+    return std::all_of(mesh.cells.begin(), mesh.cells.end(), [](Cell cell) { return cellInfo(cell).vertices == dimensionOf(cell) + 1; });
+  }
+
+  const Scene scene_;
+  const int order_;
+  std::shared_ptr<const SizeField> sizes_;
+};
+
+}  // namespace
+
+std::shared_ptr<MeshSequence> geometryMeshes(const Scene& scene, int order) { return std::make_shared<GeometryMeshes>(scene, order); }
+
+}  // namespace suture
