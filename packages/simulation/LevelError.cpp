@@ -9,6 +9,10 @@
 namespace suture {
 
 LevelError levelError(const Solution& solution) {
+  if (solution.bound && solution.bound->exists) {
+    const ErrorBound& bound = *solution.bound;
+    return {bound.total, bound.solutionNorm, bound.strict, bound.ofElements};
+  }
   if (!solution.discretisation) throw InternalError("the solution has no estimate of its error");
   const DiscretisationError& estimate = *solution.discretisation;
   return {estimate.energyNorm, estimate.solutionNorm, false, estimate.ofElements};

@@ -1,4 +1,5 @@
 #include <suture/base/Errors.hpp>
+#include <suture/base/Numbers.hpp>
 #include <suture/solver/BalanceForces.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -79,6 +80,7 @@ Balancing balancingOf(const Comm& comm, const Subdomains& subdomains, const std:
 }  // namespace
 
 bool wantsErrorBound(const Parameters& settings) {
+  if (settings.isSublist("Accuracy") && parseReal(settings.sublist("Accuracy").get<std::string>("Error"))) return true;
   return settings.isSublist("Output") && settings.sublist("Output").isParameter("Error Bound") &&
          settings.sublist("Output").get<bool>("Error Bound");
 }

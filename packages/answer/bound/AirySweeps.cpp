@@ -328,7 +328,9 @@ void AirySweeps<K>::run(int sweeps) {
   for (int e = 0; e < mesh_.elements(); ++e) scatter(-loads_.col(e), e, r);
   Field p = zero();
   double before = 0.0;
-  for (int i = 0; i < sweeps; ++i) {
+  SweepGain gain(mesh_.comm(), start_.sum(), sweeps);
+  while (gain.worthAnotherSweep()) {
+    const int i = gain.sweeps();
     const Field z = precondition(r);
     const double rz = dot(r, z);
     if (!(rz > 0.0)) return;
@@ -339,6 +341,7 @@ void AirySweeps<K>::run(int sweeps) {
     exchange(p);
     const Field q = product(p);
     const double step = rz / dot(p, q);
+    gain.add(step * rz);
     solution_.ofVertices += step * p.ofVertices;
     solution_.ofSides += step * p.ofSides;
     r.ofVertices -= step * q.ofVertices;

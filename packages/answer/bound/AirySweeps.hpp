@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/answer/bound/StarMesh.hpp>
+#include <suture/answer/bound/SweepGain.hpp>
 
 namespace suture {
 
@@ -15,7 +16,7 @@ class AirySweeps {
   /// \param tractions  EquilibratedTractions::values; all arguments must outlive this
   AirySweeps(const StarMesh<2>& mesh, const Matrix& tractions);
 
-  /// Collective.
+  /// At least `sweeps` iterations, more while they pay (worthAnotherSweep). Collective.
   void run(int sweeps);
   /// Squared energy of the difference between statically admissible stress and the stress of the displacement, by own triangle.
   /// [energy]

@@ -152,6 +152,8 @@ class Collector {
   const Law<D>& lawOf(const SubdomainMesh& mesh, int e) {
     const Material& material = solution_.model.materialOf(mesh, e, mesh.body);
     auto& law = laws_[&material];
+    if (material.element == ElementForm::Mixed)
+      result_.reasons.insert("elements have a pressure of their own (Mixed), which the energy of the displacement does not know");
     if (!law) law = std::make_unique<Law<D>>(material, solution_.model.plane);
     return *law;
   }

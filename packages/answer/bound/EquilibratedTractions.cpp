@@ -14,8 +14,11 @@ namespace suture {
 
 namespace {
 
-// Unbalanced force at a node, relative to the largest force, above which it is not round-off of the solution.
-constexpr double kUnbalanced = 1e-9;
+// Unbalanced force at a node, relative to the largest force, above which it is not round-off of the solution: coarser than the balance that
+// solvers reach (1e-10 after balanceForces), far below any effect on a bound.
+constexpr double kUnbalanced = 1e-8;
+// Pivot, relative to the largest, below which equations of a star depend on the others; the coefficients are of order one.
+constexpr double kDependentMoment = 1e-9;
 
 /// The simplices and sides at a node, and the equations of their moments.
 template <int D>
@@ -159,7 +162,10 @@ class NodeStar {
         if (unknowns[c].side->element[i] >= 0)
           equations.col(int(c)).template segment<D>(D * unknowns[c].side->element[i]) = unknowns[c].side->sign[i] * unknowns[c].along;
     const Vector rest = Eigen::Map<const Vector>(rest_.data(), D * n);
-    const Vector change = equations.completeOrthogonalDecomposition().solve(rest);
+    Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition;
+    decomposition.setThreshold(kDependentMoment);
+    decomposition.compute(equations);
+    const Vector change = decomposition.solve(rest);
     for (std::size_t c = 0; c < unknowns.size(); ++c)
       moments_.col(unknowns[c].side->side).template segment<D>(D * unknowns[c].side->node) += change[int(c)] * unknowns[c].along;
     return (equations * change - rest).cwiseAbs().maxCoeff();

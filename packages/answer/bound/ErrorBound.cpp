@@ -21,7 +21,9 @@ namespace suture {
 namespace {
 
 // Resultants of elements, relative to their forces, up to which stresses count as in equilibrium.
-constexpr double kInEquilibrium = 1e-10;
+constexpr double kInEquilibrium = 1e-8;
+// Error of a solution by round-off, relative to it: a bound cannot be smaller.
+constexpr double kRoundOffOfSolution = 1e-12;
 
 std::vector<std::string> everywhere(const Comm& comm, const std::set<std::string>& mine) {
   Packer packer;
@@ -103,7 +105,7 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   bound.algebraic = std::sqrt(algebraic);
   bound.discretisation = std::sqrt(std::max(0.0, square - algebraic));
   const double lifted = sumOver(comm, parts.liftNorm);
-  bound.total = std::sqrt(square) + bound.oscillation + std::sqrt(lifted);
+  bound.total = std::sqrt(square) + bound.oscillation + std::sqrt(lifted) + kRoundOffOfSolution * bound.solutionNorm;
   bound.energyUpper = solution.energy + contact.liftWork + lifted / 2;
   bound.energyLower = bound.energyUpper - square / 2;
   for (std::size_t m = 0; m < solution.meshes.size(); ++m) {

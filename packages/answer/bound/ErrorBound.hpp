@@ -49,7 +49,7 @@ struct BoundedSolution {
 ///     |u - v|^2 <= |tau - C eps(v)|^2 + 2 integral of p (gap of v),
 /// the first norm that of the complementary energy. Tractions between elements follow from the nodal forces of the elements, vertex by
 /// vertex (Ladeveze and Leguillon, SIAM J. Num. Anal. 20, 1983); stresses in the elements are those of StressElement; conjugate gradients
-/// over the stars of the vertices improve them. Collective. \param sweeps  number of these iterations
+/// over the stars of the vertices improve them. Collective. \param sweeps  least number of these iterations
 ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int sweeps = 2);
 
 }  // namespace suture

@@ -197,7 +197,9 @@ void TractionSweeps::run(int sweeps) {
   Matrix r = Matrix::Zero(3 * nodes_, mesh_.sides()), p = r, x = r;
   for (int e = 0; e < mesh_.elements(); ++e) scatter(-loads_.col(e), e, r);
   double before = 0.0;
-  for (int i = 0; i < sweeps; ++i) {
+  SweepGain gain(mesh_.comm(), start_.sum(), sweeps);
+  while (gain.worthAnotherSweep()) {
+    const int i = gain.sweeps();
     Matrix z;
     collectively(mesh_.comm(), "improving stresses", [&] { z = precondition(r); });
     const double rz = dot(r, z);
@@ -207,6 +209,7 @@ void TractionSweeps::run(int sweeps) {
     mesh_.exchangeSides(p);
     const Matrix q = product(p);
     const double step = rz / dot(p, q);
+    gain.add(step * rz);
     x += step * p;
     r -= step * q;
   }

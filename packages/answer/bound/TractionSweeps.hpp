@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/answer/bound/StarMesh.hpp>
+#include <suture/answer/bound/SweepGain.hpp>
 
 namespace suture {
 
@@ -12,7 +13,7 @@ class TractionSweeps {
   /// \param tractions  EquilibratedTractions::values; all arguments must outlive this
   TractionSweeps(const StarMesh<3>& mesh, const Matrix& tractions);
 
-  /// Collective.
+  /// At least `sweeps` iterations, more while they pay (worthAnotherSweep). Collective.
   void run(int sweeps);
   /// Squared energy of the difference between statically admissible stress and the stress of the displacement, by own tetrahedron.
   /// [energy]
