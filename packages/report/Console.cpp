@@ -1,6 +1,7 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <suture/base/Version.hpp>
@@ -112,6 +113,13 @@ std::string estimatedErrors(const Solution& answer) {
   return line + "\n";
 }
 
+/// The value rounded up to this number of digits: a bound must not be printed smaller than it is.
+double roundedUp(double value, int digits) {
+  if (!(value > 0.0) || !std::isfinite(value)) return value;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
+  return std::ceil(value / unit * (1 - 1e-12)) * unit;
+}
+
 // "   error in the energy norm: at most 1.2e-02 (0.9 %), proved for the polygon of the mesh"
 std::string boundText(const Solution& answer, int dimension) {
   if (!answer.bound) return "";
@@ -119,7 +127,7 @@ std::string boundText(const Solution& answer, int dimension) {
   std::string reasons;
   for (const std::string& reason : bound.reasons) reasons += (reasons.empty() ? "" : "; ") + reason;
   if (!bound.exists) return "   error in the energy norm: no bound, because " + reasons + "\n";
-  const std::string value = format("%.2e (%.2g %%)", bound.total, 100 * bound.relative());
+  const std::string value = format("%.2e (%.2g %%)", roundedUp(bound.total, 3), roundedUp(100 * bound.relative(), 2));
   if (bound.strict)
     return "   error in the energy norm: at most " + value + ", proved for the " + (dimension == 2 ? "polygon" : "polyhedron") +
            " of the mesh\n";
@@ -134,7 +142,7 @@ std::string accuracy(const Run& run) {
   if (!failure.empty()) return "   " + run.monitor.in(RunMonitor::Colour::Bad, "ACCURACY NOT REACHED: ") + failure + "\n";
   const std::string name = reached.quantity == AccuracyRequest::kEnergy ? "the energy norm" : "'" + reached.quantity + "'";
   return format("   accuracy: the error of %s is %s %.2g %%, requested %.3g %%; %s\n", name.c_str(), reached.strict ? "at most" : "about",
-                100 * reached.reached, 100 * reached.requested,
+                roundedUp(100 * reached.reached, 2), 100 * reached.requested,
                 reached.levels.size() == 1 ? "1 mesh" : (grouped(static_cast<long long>(reached.levels.size())) + " meshes").c_str());
 }
 

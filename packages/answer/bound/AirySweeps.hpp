@@ -49,9 +49,9 @@ class AirySweeps {
   Eigen::Map<const LocalMatrix> matrix(int e) const { return Eigen::Map<const LocalMatrix>(&matrices_[std::size_t(e) * dofs * dofs]); }
 
   const StarMesh<2>& mesh_;
-  std::vector<Eigen::Matrix2d> frames_;                // of the gradient at each vertex, columns
+  std::vector<Eigen::Matrix2d> frames_;                // axes for the gradient at each vertex, columns
   std::vector<unsigned> fixedAtVertex_, fixedAtSide_;  // bits
-  std::vector<double> matrices_;                       // of all triangles
+  std::vector<double> matrices_;                       // stiffness of all triangles
   Matrix loads_;                                       // dofs x triangles
   Vector start_;                                       // energies of own triangles before the first sweep
   double imbalance_ = 0.0;

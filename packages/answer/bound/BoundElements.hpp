@@ -47,8 +47,8 @@ struct BoundElement {
   static constexpr int stress = D == 2 ? 3 : 6;
   std::array<GlobalId, D + 1> vertices{};              ///< ascending
   Eigen::Matrix<double, D, D + 1> places;              ///< [length]
-  Eigen::Matrix<double, D, (D == 2 ? 6 : 10)> forces;  ///< of the element on its nodes, K u - f [force]
-  Eigen::Matrix<double, stress, D + 1> stresses;       ///< of v at the vertices: xx, yy, xy; in 3D six [stress]
+  Eigen::Matrix<double, D, (D == 2 ? 6 : 10)> forces;  ///< forces on the nodes, K u - f [force]
+  Eigen::Matrix<double, stress, D + 1> stresses;       ///< stresses of v at the vertices: xx, yy, xy; in 3D six [stress]
   Eigen::Matrix<double, D, D + 1> sources;             ///< body force at the source nodes [force / volume]
   Eigen::Matrix<double, stress, stress> compliance;    ///< [1 / stress]
   std::array<int, D + 1> boundary{};                   ///< number of a BoundarySide, or -1

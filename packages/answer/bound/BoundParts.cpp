@@ -153,7 +153,7 @@ class Collector {
     const Material& material = solution_.model.materialOf(mesh, e, mesh.body);
     auto& law = laws_[&material];
     if (material.element == ElementForm::Mixed)
-      result_.reasons.insert("elements have a pressure of their own (Mixed), which the energy of the displacement does not know");
+      result_.reasons.insert("elements have a separate pressure (Mixed), which differs from that of their displacements");
     if (!law) law = std::make_unique<Law<D>>(material, solution_.model.plane);
     return *law;
   }
@@ -276,7 +276,7 @@ class Collector {
   }
 
  private:
-  /// What acts on a side.
+  /// Loads and conditions on a side.
   struct Conditions {
     std::vector<const Load*> loads;
     std::vector<int> held, onA, onB;  // numbers in BoundaryParts

@@ -14,15 +14,14 @@ struct PlaceOfSide {
   int opposite = -1;  ///< vertex of the simplex (BoundElement) opposite to the side
 };
 
-/// What is known of a solution for its error bound: simplices of this rank and conditions at the boundary, without the pressures of
-/// contacts.
+/// Input of an error bound: simplices of this rank and conditions at the boundary, without the pressures of contacts.
 template <int D>
 struct BoundParts {
   int degree = 1;
   std::vector<BoundElement<D>> elements;
   std::vector<std::vector<int>> ofMesh;  ///< number of the simplex of each element of each mesh
   std::vector<BoundarySide<D>> boundary;
-  std::vector<PlaceOfSide> places;  ///< of each entry of `boundary`
+  std::vector<PlaceOfSide> places;  ///< place of each entry of `boundary`
   /// Entries of `boundary` on each contact (place in BoundaryParts::touching), on sides A and B.
   std::vector<std::vector<int>> onA, onB;
   double solutionNorm = 0.0;      ///< square over this rank [energy]

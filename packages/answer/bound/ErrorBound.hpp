@@ -35,8 +35,8 @@ struct ErrorBound {
 struct BoundedSolution {
   const std::vector<SubdomainMesh>& meshes;
   const ElasticModel& model;
-  const std::vector<Vector>& displacement;    ///< of each mesh of this rank, node-major, Cartesian [length]
-  const std::optional<Balancing>& balancing;  ///< of the solver; none: the forces of its elements are taken as they are
+  const std::vector<Vector>& displacement;    ///< displacement of each mesh of this rank, node-major, Cartesian [length]
+  const std::optional<Balancing>& balancing;  ///< correction by the solver; none: the forces of its elements are taken as they are
   const std::vector<PairResult>& pairs;       ///< on rank 0, all
   const BoundaryParts& parts;                 ///< on rank 0
   double energy = 0.0;                        ///< potential energy of the solution [energy]

@@ -72,7 +72,7 @@ std::vector<NodeSet> nodesAround(const Comm& comm, const std::vector<SubdomainMe
   return all;
 }
 
-/// Some elements of a mesh as a block of their own.
+/// Some elements of a mesh as a separate block.
 CellBlock blockOf(const SubdomainMesh& mesh, const std::vector<int>& elements) {
   CellBlock block;
   block.dimension = mesh.dimension;

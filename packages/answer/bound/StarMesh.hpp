@@ -68,7 +68,7 @@ class StarMesh {
   int degree_;
   int own_ = 0;
   std::vector<BoundElement<D>> elements_;
-  std::vector<int> rankOf_;  // of each simplex
+  std::vector<int> rankOf_;  // rank of each simplex
   std::vector<BoundarySide<D>> boundary_;
   std::map<int, std::vector<int>> sent_, received_;  // simplices, by rank
   std::vector<GlobalId> ids_;

@@ -37,7 +37,7 @@ class TractionSweeps {
 
   const StarMesh<3>& mesh_;
   int nodes_, count_;          // nodes of a side; tractions of a tetrahedron
-  std::vector<double> grams_;  // of the tractions of all tetrahedra
+  std::vector<double> grams_;  // Gram matrices of all tetrahedra
   Matrix loads_;               // G d, count_ x tetrahedra
   Vector start_, change_;
   double imbalance_ = 0.0;
