@@ -68,6 +68,9 @@ solve("plane", scene("two_blocks"), *setting("Output/Error Estimate", "true"), *
 solve("restart", scene("two_blocks"), "--restart", work / "plane" / "checkpoint.h5", ranks=2)
 solve("exact", scene("manufactured"), *setting("Output/Error Estimate", "true"), *setting("Outer Solver/Tolerance", "Automatic"))
 solve("bound", scene("tunnel"), *setting("Mesh/Order", "2"), *setting("Mesh/Mesh Size Factor", "3"), *setting("Output/Error Bound", "true"))
+solve("accuracy", scene("tunnel"), *setting("Accuracy/Error", "0.03"), *setting("Output/Error Bars", "true"))
+solve("singular", scene("closed_crack"), *setting("Output/Error Bars", "true"))
+solve("singular_contact", scene("bolted_joint"), *setting("Output/Error Bars", "true"))
 solve("space", scene("patch_3d"), ranks=2)
 solve("friction", scene("sliding_pad"))
 solve("load_steps", scene("cattaneo"), *setting("Mesh/Mesh Size Factor", "2"), *setting("Materials/unit/Yield Strength", "1"),
