@@ -297,10 +297,10 @@ class OneContact {
         const ContactNode& node = nodes.all()[i];
         if (pressures.rest[i] == 0.0) continue;
         onA.nodes.push_back(node.a);
-        onA.forces.push_back(scaled(-pressures.rest[i], node.normal));
+        onA.forces.push_back(scaled(pressures.rest[i], node.normal));
         if (node.b < 0) continue;
         onB.nodes.push_back(node.b);
-        onB.forces.push_back(scaled(pressures.rest[i], node.normal));
+        onB.forces.push_back(scaled(-pressures.rest[i], node.normal));
       }
       if (!onA.nodes.empty()) all.rests.push_back(std::move(onA));
       if (!onB.nodes.empty()) all.rests.push_back(std::move(onB));
