@@ -115,12 +115,20 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample.solution_.safety.ofBodies = {least};
   sample.solution_.sinceTime = 1.0;
   sample.solution_.rigidGroups = {{0, {1, 2, 0}, {0.1, 0, 0}, {0, 0, 0.2}}};
+  ErrorBound bound;
+  bound.exists = true;
+  bound.reasons = {"a reason"};
+  sample.solution_.bound = bound;
   sample.solution_.since.assign(sample.solution_.displacement.size(), Vector());
   sample.solution_.extremes.displacementSince = sample.solution_.extremes.displacement;
   if (!sample.solution_.pairs.empty()) sample.solution_.pairs.front().bodies = {1, 0};  // the contact joins two pairs of bodies
   sample.scene_.included["materials.xml"] = {"<ParameterList/>", ""};
   prepareFolder(*sample.comm_, sample.folder_);
   Run run = sample.run();
+  AccuracyReached accuracy;
+  accuracy.levels.resize(1);
+  accuracy.uniform.emplace();
+  run.accuracy = accuracy;
   run.invocation.plugins = {{"/some/plugin.so", "0123456789abcdef"}};
   run.invocation.restart = {"/some/checkpoint.h5", "0123456789abcdef"};
   writeSummary(run, runFigures(run), ExitCode::Done, sample.folder_ + "/summary.json");
