@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${OUTPUT})
 file(GLOB pages RELATIVE ${SOURCE} ${SOURCE}/README.md ${SOURCE}/CHANGELOG.md ${SOURCE}/CONTRIBUTING.md ${SOURCE}/CITATION.cff ${SOURCE}/LICENSE ${SOURCE}/packages/README.md ${SOURCE}/packages/*/README.md
   ${SOURCE}/packaging/README.md)
-file(GLOB_RECURSE more RELATIVE ${SOURCE} ${SOURCE}/doc/*.md ${SOURCE}/doc/schema/* ${SOURCE}/doc/tutorials/* ${SOURCE}/input/* ${SOURCE}/drivers/examples/*)
+file(GLOB_RECURSE more RELATIVE ${SOURCE} ${SOURCE}/doc/*.md ${SOURCE}/doc/*.png ${SOURCE}/doc/schema/* ${SOURCE}/doc/tutorials/* ${SOURCE}/input/* ${SOURCE}/drivers/examples/*)
 list(APPEND pages ${more})
 list(REMOVE_DUPLICATES pages)
 # Runs leave folders next to the scenes, builds next to the examples; the suffixes select source files.

@@ -1,3 +1,4 @@
+#include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/constraints/BoundaryParts.hpp>
 #include <suture/constraints/Conditions.hpp>
@@ -45,13 +46,18 @@ bool isPolynomialOn(const Mesh& mesh, const std::vector<std::string>& groups, co
       Point place{0, 0, 0};
       for (std::size_t a = 0; a < points.size(); ++a) place = plus(place, scaled(shapes[a], points[a]));
       for (const Expression& expression : expressions) {
-        double interpolated = 0.0, size = 0.0;
-        for (std::size_t a = 0; a < points.size(); ++a) {
-          const double value = expression.at(points[a]);
-          interpolated += shapes[a] * value;
-          size = std::max(size, std::abs(value));
+        double interpolated = 0.0, size = 0.0, between = 0.0;
+        try {
+          for (std::size_t a = 0; a < points.size(); ++a) {
+            const double value = expression.at(points[a]);
+            interpolated += shapes[a] * value;
+            size = std::max(size, std::abs(value));
+          }
+          between = expression.at(place);
+        } catch (const InputError&) {  // not finite: reported where the nodes take their values
+          return false;
         }
-        if (std::abs(interpolated - expression.at(place)) > kSamePolynomial * size) return false;
+        if (std::abs(interpolated - between) > kSamePolynomial * size) return false;
       }
     }
   }

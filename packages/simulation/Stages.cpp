@@ -321,7 +321,8 @@ JudgedScene judge(SolvedScene solved) {
   if (solution.converged)
     add(timed(parts.run.timers(), "verify", [&] { return solved.overlaps_->added(comm, parts.scene, solution.displacement); }));
   add(singularNotes(comm, parts.cut.meshes, parts.scene.model, shown));
-  timed(parts.run.timers(), "estimate", [&] { findErrorBars(comm, parts.cut.meshes, parts.scene, pieces, shown, solution); });
+  if (wantsErrorBars(parts.scene.settings()))
+    timed(parts.run.timers(), "estimate", [&] { findErrorBars(comm, parts.cut.meshes, parts.scene, pieces, shown, solution); });
   add(safetyNotes(parts.scene.model, solution.safety));
   if (joined) add(overclosureNotes(parts.scene.lines, shown, parts.scene.model.dimension));
   return JudgedScene(std::move(solved));
