@@ -85,18 +85,21 @@ void NeumannNeumann::addLocals(const Matrix& residual, Matrix& sum) const {
   }
 }
 
+/// Makes the residual orthogonal to the coarse space: r - S Q r, with Q r = Z y.
+void NeumannNeumann::balanceResidual() const {
+  y_ = coarse_->fromResidual(residual_);
+  whole_.setZero(residual_.rows(), 1);
+  coarse_->addImages(y_, whole_);
+  space()->sum(whole_);
+  residual_ -= whole_;
+}
+
 void NeumannNeumann::doApply(const MultiVector& r, MultiVector& z) const {
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto rOne = r.getVector(column);
     const auto zOne = z.getVectorNonConst(column);
     space()->gather(*rOne, residual_);
-    if (coarse_) {
-      y_ = coarse_->fromResidual(residual_);
-      whole_.setZero(residual_.rows(), 1);
-      coarse_->addImages(y_, whole_);
-      space()->sum(whole_);
-      residual_ -= whole_;
-    }
+    if (coarse_) balanceResidual();
     sum_.setZero(residual_.rows(), 1);
     addLocals(residual_, sum_);
     if (coarse_) {
@@ -113,11 +116,7 @@ std::optional<std::vector<Vector>> NeumannNeumann::doBrokenCorrection(const Mult
   space()->gather(r, residual_);
   Matrix coarse = Matrix::Zero(residual_.rows(), 1);
   if (coarse_) {
-    y_ = coarse_->fromResidual(residual_);
-    whole_.setZero(residual_.rows(), 1);
-    coarse_->addImages(y_, whole_);
-    space()->sum(whole_);
-    residual_ -= whole_;
+    balanceResidual();
     coarse_->addColumns(y_, coarse);
     space()->sum(coarse);
   }

@@ -39,6 +39,8 @@ class NeumannNeumann : public Preconditioner {
   const Weighting& weighting() const { return *weighting_; }
 
  private:
+  void balanceResidual() const;
+
   std::unique_ptr<Weighting> weighting_;
   std::unique_ptr<CoarseSpace> coarseSpace_;
   std::function<std::unique_ptr<LocalSolver>()> coarseSolver_;

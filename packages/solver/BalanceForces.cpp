@@ -16,10 +16,8 @@ namespace suture {
 namespace {
 
 // Unbalanced forces relative to the largest force: below kRoundOff no further pass is made, above kAccepted the result is of no use.
-// Between kDigits and kAccepted, round-off of stiff bodies may hide the progress of single passes.
-constexpr double kRoundOff = 1e-15, kDigits = 1e-12, kAccepted = 1e-10;
-constexpr double kSlow = 0.5;  // reduction by a pass above which it is taken as round-off
-constexpr int kMostSlow = 4;   // such passes in a row, above kDigits
+constexpr double kRoundOff = 1e-15, kAccepted = 1e-10;
+constexpr double kSlow = 0.5;  // reduction by a pass above which the rest is round-off
 constexpr int kPasses = 60;    // an approximate coarse solve reduces the unbalanced forces by its accuracy, 0.1, in each pass
 
 double largest(const Comm& comm, const MultiVector& x) {
@@ -43,7 +41,6 @@ bool improve(const InterfaceProblem& problem, const InterfaceState& state, const
   const Comm& comm = *problem.space()->comm();
   const double scale = best.field.largestForce;
   Attempt now = best;
-  int slow = 0;
   for (int pass = 0; pass < kPasses && best.rest > kRoundOff * scale; ++pass) {
     std::optional<std::vector<Vector>> added = preconditioner.brokenCorrection(*now.field.residual);
     if (!added) return false;
@@ -51,9 +48,9 @@ bool improve(const InterfaceProblem& problem, const InterfaceState& state, const
     now.corrections = *std::move(added);
     now.field = *problem.brokenField(state, now.corrections);
     now.rest = largest(comm, *now.field.residual);
-    slow = now.rest < kSlow * best.rest ? 0 : slow + 1;
+    const bool isSlow = !(now.rest < kSlow * best.rest);
     if (now.rest < best.rest) best = now;
-    if (!std::isfinite(now.rest) || slow >= (best.rest > kDigits * scale ? kMostSlow : 1)) break;
+    if (isSlow) break;
   }
   return true;
 }

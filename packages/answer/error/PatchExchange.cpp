@@ -1,6 +1,7 @@
 #include <suture/answer/error/PatchExchange.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/partition/SubdomainRanks.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -20,14 +21,7 @@ bool SubdomainExchange::Key::operator<(const Key& other) const {
 SubdomainExchange::SubdomainExchange(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
                                      const std::vector<const VertexPatches*>& patches)
     : comm_(comm), meshes_(meshes) {
-  std::vector<int> mine;
-  for (const SubdomainMesh& mesh : meshes) mine.push_back(mesh.id);
-  Packer packer;
-  packer.put(mine);
-  std::map<int, int> rankOf;
-  const std::vector<std::string> all = allGather(comm, packer.bytes());
-  for (std::size_t rank = 0; rank < all.size(); ++rank)
-    for (const int id : Unpacker(all[rank]).get<std::vector<int>>()) rankOf[id] = static_cast<int>(rank);
+  const std::unordered_map<int, int> rankOf = ranksOfSubdomains(comm, meshes);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     shared_.emplace_back();
     keys_.emplace_back();

@@ -1,5 +1,6 @@
 #include <suture/answer/verdict/SeamExchange.hpp>
 #include <suture/base/Gather.hpp>
+#include <suture/partition/SubdomainRanks.hpp>
 
 #include <Teuchos_Comm.hpp>
 
@@ -10,14 +11,7 @@
 namespace suture {
 
 SeamExchange::SeamExchange(const Comm& comm, const std::vector<SubdomainMesh>& meshes) : comm_(comm), meshes_(meshes) {
-  std::vector<int> mine;
-  for (const SubdomainMesh& mesh : meshes) mine.push_back(mesh.id);
-  Packer packer;
-  packer.put(mine);
-  std::unordered_map<int, int> rankOf;
-  const std::vector<std::string> all = allGather(comm, packer.bytes());
-  for (std::size_t rank = 0; rank < all.size(); ++rank)
-    for (const int id : Unpacker(all[rank]).get<std::vector<int>>()) rankOf[id] = static_cast<int>(rank);
+  const std::unordered_map<int, int> rankOf = ranksOfSubdomains(comm, meshes);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     shared_.emplace_back();
     std::set<int> neighbours;
