@@ -57,6 +57,7 @@ std::string AccuracyReached::failure() const {
                                                          {"memory", "the memory"},
                                                          {"time", "Accuracy/Most Seconds"},
                                                          {"levels", "Accuracy/Most Levels"},
+                                                         {"solution", "the solver, which finds no valid solution on the next mesh"},
                                                          {"mesh", "the mesher, which cannot make the next mesh"}};
   if (isMet()) return "";
   const auto name = limits.find(limit);

@@ -42,7 +42,7 @@ struct AccuracyReached {
   std::string quantity;
   double reached = 0.0;  ///< relative error of the quantity
   bool strict = false;   ///< `reached` is a bound, otherwise an estimate
-  std::string limit;     ///< limit that ended the search: "unknowns", "memory", "time", "levels"; empty: the request is met
+  std::string limit;     ///< limit that ended the search: "unknowns", "memory", "time", "levels", "mesh", "solution"; empty: the request is met
   std::vector<AccuracyLevel> levels;
   /// Predicted cost of uniform refinement to the same error.
   struct Uniform {

@@ -155,11 +155,29 @@ class AdaptiveLevels {
     const RunContext run = judged_.run();
     std::optional<CheckedScene> next = checked(scene);
     if (!next) return false;
-    PreparedScene prepared = prepare(*std::move(next));
-    prepared.remark();
-    prepared.startFrom(nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes()));
-    judged_ = judge(suture::solve(std::move(prepared)));
-    return true;
+    try {
+      PreparedScene prepared = prepare(*std::move(next));
+      prepared.remark();
+      prepared.startFrom(nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes()));
+      JudgedScene judged = judge(suture::solve(std::move(prepared)));
+      const Solution& solution = judged.solution();
+      if (solution.isValid() || solution.stopped) {
+        judged_ = std::move(judged);
+        return true;
+      }
+      endWithout(solution.undetermined.empty() ? solution.failure : solution.undetermined);
+    } catch (const NumericalError& error) {
+      endWithout(error.what());
+    }
+    return false;
+  }
+
+  /// Ends the search: the scene has no valid solution on the next mesh.
+  void endWithout(const std::string& why) {
+    reached_.limit = "solution";
+    judged_.run().monitor().dropLevel();
+    judged_.run().monitor().note("warning: the result is that of the last mesh but one, because the next one has no valid solution: " +
+                                 why);
   }
 
   /// Cost of uniform refinement from the first mesh to the present error e: N = N_0 (e_0 / e)^(1 / r). The rate r is that between the first

@@ -119,6 +119,9 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   bound.exists = true;
   bound.reasons = {"a reason"};
   sample.solution_.bound = bound;
+  ErrorBars bars;
+  for (const char* quantity : {"von_mises", "tension", "compression", "pressure"}) bars.singular[quantity] = "a reason";
+  sample.solution_.errorBars = bars;
   sample.solution_.since.assign(sample.solution_.displacement.size(), Vector());
   sample.solution_.extremes.displacementSince = sample.solution_.extremes.displacement;
   if (!sample.solution_.pairs.empty()) sample.solution_.pairs.front().bodies = {1, 0};  // the contact joins two pairs of bodies
