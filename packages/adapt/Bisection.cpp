@@ -1,5 +1,6 @@
 #include <suture/adapt/Bisection.hpp>
 #include <suture/adapt/InitialMarks.hpp>
+#include <suture/adapt/PassOnGroups.hpp>
 #include <suture/adapt/SimplexSides.hpp>
 #include <suture/adapt/SplitEdges.hpp>
 #include <suture/base/Errors.hpp>
@@ -203,11 +204,7 @@ class Refiner {
   }
 
   void passOnGroups() {
-    for (const auto& [name, members] : old_.elementGroups) {
-      std::vector<int>& own = mesh().elementGroups[name];
-      for (const int e : members)
-        for (int part = first_[e]; part < first_[e + 1]; ++part) own.push_back(part);
-    }
+    passOnElementGroups(old_, first_, mesh());
     for (const auto& [name, sides] : old_.sideGroups) {
       std::vector<Side>& own = mesh().sideGroups[name];
       for (const Side& side : sides) own.insert(own.end(), parts_[tags_.of(side)].begin(), parts_[tags_.of(side)].end());

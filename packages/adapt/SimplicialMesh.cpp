@@ -1,4 +1,5 @@
 #include <suture/adapt/EdgeNodes.hpp>
+#include <suture/adapt/PassOnGroups.hpp>
 #include <suture/adapt/SimplexSides.hpp>
 #include <suture/adapt/SimplicialMesh.hpp>
 #include <suture/base/Errors.hpp>
@@ -240,11 +241,7 @@ class Builder {
   }
 
   void passOnGroups() {
-    for (const auto& [name, members] : old_.elementGroups) {
-      std::vector<int>& own = mesh().elementGroups[name];
-      for (const int e : members)
-        for (int part = first_[e]; part < first_[e + 1]; ++part) own.push_back(part);
-    }
+    passOnElementGroups(old_, first_, mesh());
     for (const auto& [name, sides] : old_.sideGroups) {
       std::vector<Side>& own = mesh().sideGroups[name];
       for (const Side& side : sides) addParts(side, own);

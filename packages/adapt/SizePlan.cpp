@@ -1,5 +1,5 @@
+#include <suture/adapt/SizePlan.hpp>
 #include <suture/mesh/CellGeometry.hpp>
-#include <suture/simulation/SizePlan.hpp>
 
 #include <algorithm>
 #include <cmath>

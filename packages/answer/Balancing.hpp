@@ -15,8 +15,8 @@ struct Balancing {
   /// w of each subdomain mesh of this rank, node-major, Cartesian, as Solution::displacement; empty vectors: zero. [length]
   std::vector<Vector> correction;
   double energy = 0.0;  ///< sum over the subdomains of |w_s|^2 in the norm of K_s, over all ranks [force x length]
-  /// Forces of u + w at the contact rows of this rank's meshes, by pair id. They differ from those in Solution::pairs, which are the forces
-  /// of u, by the order of the algebraic error.
+  /// Forces of u + w at the contact rows of this rank's meshes, by pair id. Those in Solution::pairs are the forces of u; both differ by
+  /// the order of the algebraic error.
   std::map<int, PairForce> forces;
   double imbalance = 0.0;  ///< largest unbalanced force at an interface unknown relative to the largest force there
 };

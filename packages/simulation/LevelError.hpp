@@ -1,7 +1,7 @@
 #pragma once
+#include <suture/adapt/SizePlan.hpp>
 #include <suture/answer/Solution.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/simulation/SizePlan.hpp>
 
 #include <vector>
 

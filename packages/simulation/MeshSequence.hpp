@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/adapt/SizePlan.hpp>
 #include <suture/mesh/Mesh.hpp>
-#include <suture/simulation/SizePlan.hpp>
 
 #include <functional>
 #include <memory>

@@ -1,10 +1,12 @@
 // Sizes of the next mesh: against the least cost of a wanted error by hand.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <suture/adapt/SizePlan.hpp>
 #include <suture/mesh/Generators.hpp>
-#include <suture/simulation/SizePlan.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
 
 namespace suture {
 namespace {
@@ -31,6 +33,58 @@ TEUCHOS_UNIT_TEST(SizePlan, DividesAllSizesAlikeForAnEvenError) {
     for (int e = 0; e < mesh.elements(); ++e)
       for (int k = 0; k < 3; ++k) TEST_FLOATING_EQUALITY(plan.field.sizes[static_cast<std::size_t>(mesh.nodesOf(e)[k])], size, 1e-10);
     TEST_ASSERT(!plan.isCapped);
+  }
+}
+
+/// Bodies far from each other, of two equal triangles (six tetrahedra) each, so that their sizes do not limit each other.
+Mesh scattered(Cell cell, int bodies) {
+  std::vector<Box> all;
+  for (int k = 0; k < bodies; ++k) {
+    Box box{"body" + std::to_string(k), 100.0 * k, 100.0 * k + 1, 0, 1, 1, 1, cell};
+    box.nz = 1;
+    all.push_back(box);
+  }
+  return boxes(all);
+}
+
+// Other sizes with the same error need more elements.
+TEUCHOS_UNIT_TEST(SizePlan, HasTheFewestElements) {
+  const int bodies = 8;
+  std::mt19937 random(1);
+  for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Tetrahedron4, Cell::Tetrahedron10}) {
+    const int degree = cellInfo(cell).order, dimension = dimensionOf(cell);
+    const Mesh mesh = scattered(cell, bodies);
+    const int each = mesh.elements() / bodies;
+    std::vector<double> ofBody, squares;
+    for (int k = 0; k < bodies; ++k) ofBody.push_back(std::uniform_real_distribution<double>(1, 30)(random));
+    for (int e = 0; e < mesh.elements(); ++e) squares.push_back(ofBody[static_cast<std::size_t>(e / each)]);
+    const double all = std::accumulate(squares.begin(), squares.end(), 0.0);
+    const SizePlan plan = planSizes(mesh, squares, {}, {0.25 * all, kAll}), twice = uniformSizes(mesh, 2.0);
+    std::vector<double> ratio;
+    for (int k = 0; k < bodies; ++k) {
+      const auto node = static_cast<std::size_t>(mesh.nodesOf(k * each)[0]);
+      ratio.push_back(2 * plan.field.sizes[node] / twice.field.sizes[node]);
+    }
+    const auto error = [&](const std::vector<double>& r) {
+      double sum = 0;
+      for (int k = 0; k < bodies; ++k)
+        sum += each * ofBody[static_cast<std::size_t>(k)] * std::pow(r[static_cast<std::size_t>(k)], 2 * degree);
+      return sum;
+    };
+    const auto count = [&](const std::vector<double>& r) {
+      double sum = 0;
+      for (const double one : r) sum += each * std::pow(one, -dimension);
+      return sum;
+    };
+    TEST_FLOATING_EQUALITY(error(ratio), 0.25 * all, 0.1);  // sizes are rounded to eighths of a power of two
+    TEST_FLOATING_EQUALITY(plan.elements, count(ratio), 1e-6);
+    for (int trial = 0; trial < 100; ++trial) {
+      std::vector<double> other = ratio;
+      for (double& one : other) one *= std::uniform_real_distribution<double>(0.7, 1.4)(random);
+      const double scale = std::pow(error(ratio) / error(other), 0.5 / degree);
+      for (double& one : other) one *= scale;
+      TEST_COMPARE(count(other), >, 0.99 * count(ratio));
+    }
   }
 }
 

@@ -1,10 +1,12 @@
 // Bounds of the error in the energy norm, against exact energies, on any number of ranks: 2 (J(u_h) - J(u)) = |u - u_h|^2.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
+#include <suture/base/Expression.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/simulation/Simulation.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suture {
@@ -35,11 +37,9 @@ struct Column {
     held.push_back(Condition::bilateral(bodies.front().name + "_bottom"));
   }
   void addWeight() { model.loads = {Load::bodyForce(dimension == 2 ? Point{0, -kWeight, 0} : Point{0, 0, -kWeight})}; }
-  Scene scene(std::vector<std::string> settings = {}) const {
-    for (const char* more : {"Outer Solver/Tolerance=1e-13", "Partition/METIS/Subdomains=5", "Output/Error Bound=true"})
-      settings.push_back(more);
-    return makeScene(
-        model, [all = bodies] { return boxes(all); }, held, contacts, settings);
+  Scene scene(const std::string& tolerance = "1e-13") const {
+    return makeScene(model, [all = bodies] { return boxes(all); }, held, contacts,
+                     {"Outer Solver/Tolerance=" + tolerance, "Partition/METIS/Subdomains=5", "Output/Error Bound=true"});
   }
 };
 
@@ -110,6 +110,103 @@ TEUCHOS_UNIT_TEST(ErrorBounds, ExceedTheError) {
       TEST_COMPARE(bound.energyUpper, >=, exact);
       TEST_COMPARE(bound.imbalance, <, 1e-10);
     }
+}
+
+bool hasReason(const ErrorBound& bound, const std::string& part) {
+  return std::any_of(bound.reasons.begin(), bound.reasons.end(),
+                     [&](const std::string& one) { return one.find(part) != std::string::npos; });
+}
+
+/// Traction or body force that is a function of the place.
+Load given(Load load, const std::vector<std::string>& components) {
+  for (const std::string& text : components) load.expressions.emplace_back(text, Constants());
+  return load;
+}
+
+// Functions that vanish at the vertices, the middles or the centre of elements are not overlooked.
+TEUCHOS_UNIT_TEST(ErrorBounds, NoticeLoadsThatAreNoPolynomials) {
+  struct Case {
+    Cell cell;
+    std::vector<std::string> components;
+    bool isStrict;
+  };
+  for (const Case& one :
+       {Case{Cell::Triangle6, {"0", "x*y"}, true}, Case{Cell::Triangle3, {"0", "1 + x"}, true},
+        Case{Cell::Triangle3, {"0", "x*(x - 0.5)"}, false}, Case{Cell::Triangle6, {"0", "x*(x - 0.25)*(x - 0.5)"}, false}}) {
+    Column column = single(one.cell, 2);
+    column.model.loads = {given(Load::traction("a_top", {0, 0, 0}), one.components)};
+    const ErrorBound bound = boundOf(column.scene());
+    TEST_EQUALITY(bound.strict, one.isStrict);
+    TEST_EQUALITY(hasReason(bound, "tractions are not polynomials"), !one.isStrict);
+  }
+  // On tetrahedra the function vanishes on the edges along x.
+  Column solid = single(Cell::Tetrahedron4, 2);
+  solid.model.loads = {given(Load::traction("a_top", {0, 0, 0}), {"0", "0", "y*(y - 0.5)"})};
+  TEST_ASSERT(hasReason(boundOf(solid.scene()), "tractions are not polynomials"));
+  for (const Case& one : {Case{Cell::Triangle6, {"0", "1 + 2*x - y"}, true}, Case{Cell::Triangle6, {"0", "x^2 - y^2"}, false},
+                          Case{Cell::Triangle3, {"0", "x"}, false}}) {
+    Column column = single(one.cell, 2);
+    column.model.loads = {given(Load::bodyForce({0, 0, 0}), one.components)};
+    const ErrorBound bound = boundOf(column.scene());
+    TEST_EQUALITY(bound.strict, one.isStrict);
+    TEST_EQUALITY(hasReason(bound, "body forces are not polynomials"), !one.isStrict);
+  }
+}
+
+/// The column with its right side bent outwards.
+Scene bent(const Column& column) {
+  Scene scene = column.scene();
+  scene.mesh = [make = scene.mesh](const Comm& comm) {
+    Mesh mesh = make(comm);
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      const double x = mesh.coordinates[2 * std::size_t(node)], y = mesh.coordinates[2 * std::size_t(node) + 1];
+      mesh.coordinates[2 * std::size_t(node)] += 0.2 * x * y * (1 - y);
+    }
+    return mesh;
+  };
+  return scene;
+}
+
+// Nodes of a roller on a bent wall move along its mean normal, so that they leave the polygon: no displacement of the bounded problem.
+TEUCHOS_UNIT_TEST(ErrorBounds, AreEstimatesForRollersOnCurvedSides) {
+  Column column = single(Cell::Triangle3, 6);
+  column.model.loads = {Load::pressure("a_top", 5e3)};
+  const ErrorBound bound = boundOf(bent(column));
+  TEST_ASSERT(!bound.strict && bound.exists);
+  TEST_ASSERT(hasReason(bound, "rollers support curved sides"));
+}
+
+TEUCHOS_UNIT_TEST(ErrorBounds, NeedTrianglesOrTetrahedraOfOneOrder) {
+  Column mixed = pair(Cell::Triangle3, 4);
+  mixed.bodies[1].cell = Cell::Triangle6;
+  mixed.bodies[1].nx = mixed.bodies[1].ny = 2;
+  mixed.addWeight();
+  const ErrorBound bound = boundOf(mixed.scene());
+  TEST_ASSERT(!bound.exists && !bound.strict);
+  TEST_ASSERT(hasReason(bound, "both orders"));
+  Column squares = single(Cell::Quadrilateral4, 4);
+  squares.addWeight();
+  TEST_ASSERT(hasReason(boundOf(squares.scene()), "cells other than triangles"));
+}
+
+// The same bound on any number of ranks and subdomains, with a solver that stops early.
+TEUCHOS_UNIT_TEST(ErrorBounds, HoldHoweverEarlyTheSolverStops) {
+  for (const Cell cell : {Cell::Triangle3, Cell::Triangle6}) {
+    Column column = pair(cell, 6);
+    column.addWeight();
+    column.model.loads.push_back(given(Load::traction("b_top", {0, 0, 0}), {"0", "-2e3*x"}));
+    double energy = 0.0, exact = 0.0;
+    boundOf(column.scene(), &exact);
+    for (const char* tolerance : {"1e-1", "1e-3"}) {
+      const ErrorBound bound = boundOf(column.scene(tolerance), &energy);
+      for (const std::string& reason : bound.reasons) out << reason << "\n";
+      TEST_ASSERT(bound.strict);
+      // The discrete solution is one of the competitors.
+      TEST_COMPARE(bound.total * bound.total, >=, 2 * (energy - exact));
+      TEST_COMPARE(bound.algebraic * bound.algebraic, >=, 2 * (energy - exact) - 1e-9 * std::abs(exact));
+      TEST_COMPARE(bound.energyLower, <=, exact);
+    }
+  }
 }
 
 // Forces at points have no stress of finite energy; the figure is an estimate, and says why.

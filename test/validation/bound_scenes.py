@@ -143,7 +143,7 @@ class BoundScene(Scene):
             self.conditions.append((top, "Traction", [0.0, -self.load * r.uniform(0.1, 0.5)], self.wave()))
 
     def wave(self):
-        """A factor that varies in space and is not a polynomial."""
+        """A factor that depends on the position and is not a polynomial."""
         r = self.random
         return "(1 + 0.5*sin(%.17g*x + %.17g*y))" % self.turned([r.uniform(-4, 4) / self.length for _ in range(2)])
 

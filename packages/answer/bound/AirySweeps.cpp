@@ -85,7 +85,7 @@ void AirySweeps<K>::findFreedom() {
 
 template <int K>
 void AirySweeps<K>::constrain(int side) {
-  const BoundarySide<2>& boundary = *mesh_.boundaryOf(side);
+  const SideCondition<2>& boundary = *mesh_.boundaryOf(side);
   const unsigned constrained = boundary.known | boundary.kept;
   if (constrained == 0) return;
   const Eigen::Vector2d normal = mesh_.normal(side), along(-normal[1], normal[0]);

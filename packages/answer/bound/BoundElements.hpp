@@ -33,7 +33,7 @@ struct SimplexNodes {
 
 /// Conditions on a side at the boundary of the bodies.
 template <int D>
-struct BoundarySide {
+struct SideCondition {
   unsigned known = (1u << D) - 1;  ///< bits: components along the axes in which the traction is given
   unsigned kept = 0;               ///< bits: unknown components that are equilibrated with the nodal forces and kept then
   Eigen::Matrix<double, D, D> axes = Eigen::Matrix<double, D, D>::Identity();  ///< rows, orthonormal
@@ -51,7 +51,7 @@ struct BoundElement {
   Eigen::Matrix<double, stress, D + 1> stresses;       ///< stresses of v at the vertices: xx, yy, xy; in 3D six [stress]
   Eigen::Matrix<double, D, D + 1> sources;             ///< body force at the source nodes [force / volume]
   Eigen::Matrix<double, stress, stress> compliance;    ///< [1 / stress]
-  std::array<int, D + 1> boundary{};                   ///< number of a BoundarySide, or -1
+  std::array<int, D + 1> boundary{};                   ///< number of a SideCondition, or -1
 };
 
 template <int D>

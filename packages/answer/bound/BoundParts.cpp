@@ -1,9 +1,8 @@
 #include <Eigen/LU>
 #include <suture/answer/bound/BoundParts.hpp>
+#include <suture/answer/bound/SideConditions.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementStress.hpp>
-#include <suture/mesh/SideGeometry.hpp>
-#include <suture/pairs/PairFrame.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -72,10 +71,11 @@ double energyOf(const BoundElement<D>& element, const Eigen::Matrix<double, Boun
 template <int D>
 class Collector {
  public:
-  Collector(const BoundedSolution& solution, const BoundaryParts& parts) : solution_(solution), parts_(parts) {}
+  Collector(const BoundedSolution& solution, const BoundaryParts& parts, int degree) : solution_(solution), parts_(parts) {
+    result_.degree = degree;
+  }
 
   BoundParts<D> collect() {
-    areSimplices(solution_.meshes, result_.degree);
     result_.onA.resize(parts_.touching.size());
     result_.onB.resize(parts_.touching.size());
     for (std::size_t m = 0; m < solution_.meshes.size(); ++m) addMesh(static_cast<int>(m));
@@ -91,8 +91,7 @@ class Collector {
     const SubdomainMesh& mesh = solution_.meshes[m];
     result_.ofMesh.emplace_back();
     noteKinds(mesh);
-    const std::map<std::pair<int, int>, Conditions> conditions = conditionsOf(mesh);
-    const std::vector<char> inner = innerSides(mesh);
+    const SideConditions<D> conditions(mesh, solution_.model, parts_, solution_.displacement[m], result_.reasons);
     const InitialState initial(solution_.model, mesh.body);
     const Vector& displacement = solution_.displacement[m];
     const bool corrected = solution_.balancing && solution_.balancing->correction[m].size() > 0;
@@ -110,13 +109,31 @@ class Collector {
       element.boundary.fill(-1);
       for (int a = 0; a <= D; ++a) {
         const int side = sideOpposite(mesh, e, nodes[a]);
-        if (inner[static_cast<std::size_t>(e) * (D + 1) + side]) continue;
-        const auto found = conditions.find({e, side});
-        element.boundary[a] = addBoundary(mesh, m, e, side, a, nodes, found == conditions.end() ? Conditions() : found->second);
+        if (!conditions.isInner(e, side)) element.boundary[a] = addBoundary(conditions, {m, e, a}, side, nodes);
       }
       result_.ofMesh.back().push_back(static_cast<int>(result_.elements.size()));
       result_.elements.push_back(element);
     }
+  }
+
+  /// \param nodes  of the simplex
+  int addBoundary(const SideConditions<D>& conditions, const PlaceOfSide& place, int side, const std::vector<int>& nodes) {
+    std::vector<int> onSide;
+    for (int j = 0; j < Nodes::sideNodes(result_.degree); ++j) onSide.push_back(nodes[Nodes::ofSide(place.opposite, j)]);
+    const int number = static_cast<int>(result_.boundary.size());
+    for (const int i : conditions.contactsOnA(place.element, side)) result_.onA[i].push_back(number);
+    for (const int i : conditions.contactsOnB(place.element, side)) result_.onB[i].push_back(number);
+    result_.boundary.push_back(conditions.of(place.element, side, onSide));
+    result_.places.push_back(place);
+    return number;
+  }
+
+  static int sideOpposite(const SubdomainMesh& mesh, int e, int node) {
+    const Span<const int> nodes = mesh.nodesOf(e);
+    const auto& sides = cellInfo(mesh.cells[e]).sideNodes;
+    for (std::size_t s = 0; s < sides.size(); ++s)
+      if (std::none_of(sides[s].begin(), sides[s].end(), [&](int local) { return nodes[local] == node; })) return int(s);
+    throw InternalError("a simplex without a side opposite to a vertex");
   }
 
   void noteKinds(const SubdomainMesh& mesh) {
@@ -181,7 +198,7 @@ class Collector {
     for (const Load& load : solution_.model.loads) {
       const bool acts = load.onBody() && load.actsOn(solution_.model.bodies[mesh.body]);
       if (acts && load.onElements()) loads.push_back(&load);
-      if (acts && load.isInitial() && !load.expressions.empty())
+      if (acts && load.isInitial() && (!load.expressions.empty() || load.isLocal))
         result_.reasons.insert("initial strains or stresses vary within the elements");
     }
     return loads;
@@ -211,22 +228,27 @@ class Collector {
     }
     const Place centre = element.places.rowwise().mean();
     const Place middle = bodyForce(mesh, e, loads, centre);
-    if (result_.degree == 1) element.sources.col(0) = middle;
     Eigen::Matrix<double, D, D + 1> corners;
     for (int i = 0; i <= D; ++i) corners.col(i) = bodyForce(mesh, e, loads, element.places.col(i));
-    if (result_.degree == 2) element.sources = corners;
-    Eigen::Matrix<double, D, D + 1> deviation = corners;
     if (result_.degree == 1)
-      deviation.colwise() -= middle;
+      element.sources.col(0) = middle;
     else
-      deviation.colwise() = Place(middle - corners.rowwise().mean());
-    const double size = corners.cwiseAbs().maxCoeff();
-    if (deviation.cwiseAbs().maxCoeff() <= kPolynomial * size) return;
+      element.sources = corners;
+    // Deviation from the polynomial at the centre and in the middle of the edges.
+    double deviation = result_.degree == 1 ? 0.0 : (middle - corners.rowwise().mean()).norm();
+    for (int edge = 0; edge < Nodes::edges; ++edge) {
+      const int i = Nodes::ends[edge][0], j = Nodes::ends[edge][1];
+      const Place value = bodyForce(mesh, e, loads, 0.5 * (element.places.col(i) + element.places.col(j)));
+      const Place expected = result_.degree == 1 ? middle : Place(0.5 * (corners.col(i) + corners.col(j)));
+      deviation = std::max(deviation, (value - expected).norm());
+    }
+    for (int i = 0; i <= D && result_.degree == 1; ++i) deviation = std::max(deviation, (corners.col(i) - middle).norm());
+    if (deviation <= kPolynomial * corners.cwiseAbs().maxCoeff()) return;
     result_.reasons.insert("body forces are not polynomials of degree " + std::to_string(result_.degree - 1));
-    // |f - f_h| h / pi, the Poincare inequality on a convex element, over the smallest stiffness.
+    // |f - f_h| h / pi (Poincare's inequality on a convex element) over the square root of the smallest stiffness.
     const double h = (element.places.rowwise().maxCoeff() - element.places.rowwise().minCoeff()).norm();
     const double soft = 1.0 / element.compliance.diagonal().maxCoeff();
-    result_.oscillation += volume(element) * deviation.squaredNorm() / (D + 1) * h * h / (9.87 * soft);
+    result_.oscillation += volume(element) * deviation * deviation * h * h / (9.87 * soft);
   }
 
   void addStresses(int e, const std::vector<int>& nodes, const Vector& u, const InitialState& initial, const Law<D>& law,
@@ -276,143 +298,6 @@ class Collector {
   }
 
  private:
-  /// Loads and conditions on a side.
-  struct Conditions {
-    std::vector<const Load*> loads;
-    std::vector<int> held, onA, onB;  // numbers in BoundaryParts
-    bool onSprings = false, isRigid = false, onMean = false;
-  };
-
-  std::map<std::pair<int, int>, Conditions> conditionsOf(const SubdomainMesh& mesh) {
-    std::map<std::pair<int, int>, Conditions> all;
-    const auto each = [&](const std::vector<std::string>& groups, const auto& take) {
-      for (const Side& side : sidesOf(mesh.sideGroups, groups)) take(all[{side.element, side.side}]);
-    };
-    for (const Load& load : solution_.model.loads)
-      if (!load.onBody() && !load.groups.empty()) each(load.groups, [&](Conditions& on) { on.loads.push_back(&load); });
-    for (std::size_t i = 0; i < parts_.held.size(); ++i) each(parts_.held[i].groups, [&](Conditions& on) { on.held.push_back(int(i)); });
-    for (std::size_t i = 0; i < parts_.touching.size(); ++i) {
-      each(parts_.touching[i].groupsA, [&](Conditions& on) { on.onA.push_back(int(i)); });
-      each(parts_.touching[i].groupsB, [&](Conditions& on) { on.onB.push_back(int(i)); });
-    }
-    each(parts_.onSprings, [](Conditions& on) { on.onSprings = true; });
-    each(parts_.rigid, [](Conditions& on) { on.isRigid = true; });
-    each(parts_.onMean, [](Conditions& on) { on.onMean = true; });
-    return all;
-  }
-
-  /// True for the sides (element x (D + 1) + side) that two elements share.
-  static std::vector<char> innerSides(const SubdomainMesh& mesh) {
-    std::vector<char> inner(std::size_t(mesh.elements()) * (D + 1), 0);
-    std::vector<std::vector<std::pair<SideKey, int>>> open(mesh.nodes());
-    for (int e = 0; e < mesh.elements(); ++e)
-      forEachSide(mesh, e, [&](const SideKey& key, const Side& side) {
-        const int own = e * (D + 1) + side.side;
-        for (const auto& [other, number] : open[key.low])
-          if (other == key) {
-            inner[own] = inner[number] = 1;
-            return;
-          }
-        open[key.low].push_back({key, own});
-      });
-    for (const SubdomainMesh::SeamSide& side : mesh.seamSides) inner[std::size_t(side.element) * (D + 1) + side.side] = 1;
-    return inner;
-  }
-
-  static int sideOpposite(const SubdomainMesh& mesh, int e, int node) {
-    const Span<const int> nodes = mesh.nodesOf(e);
-    const auto& sides = cellInfo(mesh.cells[e]).sideNodes;
-    for (std::size_t s = 0; s < sides.size(); ++s)
-      if (std::none_of(sides[s].begin(), sides[s].end(), [&](int local) { return nodes[local] == node; })) return int(s);
-    throw InternalError("a simplex without a side opposite to a vertex");
-  }
-
-  int addBoundary(const SubdomainMesh& mesh, int m, int e, int side, int a, const std::vector<int>& nodes, const Conditions& on) {
-    BoundarySide<D> own;
-    const std::vector<int> onSide = mesh.nodesOf(Side{e, side});
-    std::vector<Point> points;
-    for (const int node : onSide) points.push_back(mesh.point(node));
-    const Point normal = unit(nodeNormals(points, D)[0].density);
-    hold(own, on, normal);
-    std::vector<Point> at;  // nodes of the side in the order of the bound
-    for (int j = 0; j < Nodes::sideNodes(result_.degree); ++j) at.push_back(mesh.point(nodes[Nodes::ofSide(a, j)]));
-    for (const Load* load : on.loads) addTraction(*load, normal, at, own);
-    if (on.onSprings) result_.reasons.insert("sides rest on elastic supports");
-    if (on.onMean) result_.reasons.insert("mean displacements are prescribed");
-    if (on.onSprings) unknownAll(own);
-    if (on.isRigid) own.kept = unknownAll(own);
-    const int number = static_cast<int>(result_.boundary.size());
-    for (const int i : on.onA) result_.onA[i].push_back(number);
-    for (const int i : on.onB) result_.onB[i].push_back(number);
-    result_.boundary.push_back(own);
-    result_.places.push_back({m, e, a});
-    return number;
-  }
-
-  /// Makes all components unknown. Returns their bits.
-  static unsigned unknownAll(BoundarySide<D>& own) {
-    own.known = 0;
-    return (1u << D) - 1;
-  }
-
-  void hold(BoundarySide<D>& own, const Conditions& on, const Point& normal) {
-    unsigned held = 0;
-    bool alongNormal = false;
-    for (const int i : on.held) {
-      const HeldSides& part = parts_.held[i];
-      if (!part.isPolynomial) result_.reasons.insert("prescribed displacements are not polynomials of the order of the elements");
-      if (part.alongOther) result_.reasons.insert("a displacement is prescribed along a direction"), unknownAll(own);
-      alongNormal = alongNormal || part.alongNormal;
-      for (int k = 0; k < D; ++k)
-        if (part.components[k]) held |= 1u << k;
-    }
-    if (own.known == 0) return;
-    if (!alongNormal) {
-      own.known &= ~held;
-      return;
-    }
-    for (int k = 0; k < D; ++k)
-      if (std::abs(normal[k]) > 1 - kStraight) {
-        own.known &= ~(held | 1u << k);
-        return;
-      }
-    if (held == 0) {
-      const std::vector<Point> axes = pairFrame(normal, D);
-      for (int i = 0; i < D; ++i)
-        for (int k = 0; k < D; ++k) own.axes(i, k) = axes[i][k];
-      own.known &= ~1u;
-    } else {
-      result_.reasons.insert("a side is held along its normal and along another direction");
-      unknownAll(own);
-    }
-  }
-
-  void addTraction(const Load& load, const Point& normal, const std::vector<Point>& at, BoundarySide<D>& own) {
-    const auto valueAt = [&](const Point& point) {
-      const Point value = scaled(load.factor, load.at(point));
-      return load.kind == Load::Kind::Pressure ? scaled(-value[0], normal) : value;
-    };
-    if (load.kind != Load::Kind::Pressure && load.kind != Load::Kind::Traction) return;
-    double size = 0.0;
-    for (std::size_t j = 0; j < at.size(); ++j) {
-      const Point value = valueAt(at[j]);
-      size = std::max(size, norm(value));
-      for (int k = 0; k < D; ++k) own.traction(k, int(j)) += value[k];
-    }
-    if (load.expressions.empty()) return;
-    // Compared at a third of the first edge.
-    const double r = 1.0 / 3;
-    const Point point = plus(scaled(1 - r, at[0]), scaled(r, at[1])), value = valueAt(point);
-    const Point first = valueAt(at[0]), second = valueAt(at[1]);
-    Point expected = plus(scaled(1 - r, first), scaled(r, second));
-    if (result_.degree == 2) {
-      const Point middle = valueAt(D == 2 ? at[2] : at[3]);
-      expected = plus(plus(scaled((1 - r) * (1 - 2 * r), first), scaled(r * (2 * r - 1), second)), scaled(4 * r * (1 - r), middle));
-    }
-    if (norm(minus(value, expected)) > kPolynomial * size)
-      result_.reasons.insert("tractions are not polynomials of the order of the elements");
-  }
-
   const BoundedSolution& solution_;
   const BoundaryParts& parts_;
   BoundParts<D> result_;
@@ -421,19 +306,20 @@ class Collector {
 
 }  // namespace
 
-bool areSimplices(const std::vector<SubdomainMesh>& meshes, int& degree) {
+bool areSimplices(const std::vector<SubdomainMesh>& meshes, std::array<int, 2>& degrees) {
   bool all = true;
   for (const SubdomainMesh& mesh : meshes)
     for (const Cell cell : mesh.cells) {
+      const int order = cellInfo(cell).order;
       all = all && isSimplex(cell);
-      degree = std::max(degree, cellInfo(cell).order);
+      degrees = {std::min(degrees[0], order), std::max(degrees[1], order)};
     }
   return all;
 }
 
 template <int D>
-BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts) {
-  return Collector<D>(solution, parts).collect();
+BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, int degree) {
+  return Collector<D>(solution, parts, degree).collect();
 }
 
 template <int D>
@@ -483,8 +369,8 @@ void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<
 
 template struct BoundParts<2>;
 template struct BoundParts<3>;
-template BoundParts<2> boundParts(const BoundedSolution&, const BoundaryParts&);
-template BoundParts<3> boundParts(const BoundedSolution&, const BoundaryParts&);
+template BoundParts<2> boundParts(const BoundedSolution&, const BoundaryParts&, int);
+template BoundParts<3> boundParts(const BoundedSolution&, const BoundaryParts&, int);
 template void lift(BoundParts<2>&, const BoundedSolution&, const std::map<GlobalId, Point>&);
 template void lift(BoundParts<3>&, const BoundedSolution&, const std::map<GlobalId, Point>&);
 

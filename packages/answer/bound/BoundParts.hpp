@@ -20,7 +20,7 @@ struct BoundParts {
   int degree = 1;
   std::vector<BoundElement<D>> elements;
   std::vector<std::vector<int>> ofMesh;  ///< number of the simplex of each element of each mesh
-  std::vector<BoundarySide<D>> boundary;
+  std::vector<SideCondition<D>> boundary;
   std::vector<PlaceOfSide> places;  ///< place of each entry of `boundary`
   /// Entries of `boundary` on each contact (place in BoundaryParts::touching), on sides A and B.
   std::vector<std::vector<int>> onA, onB;
@@ -30,16 +30,16 @@ struct BoundParts {
   std::set<std::string> reasons;  ///< why the bound is not strict, found on this rank
 };
 
-/// Local. \param parts  the same on all ranks \param displacement  v \param balanced  field whose element forces are in equilibrium
-/// \throws InputError  a folded element
+/// Local. \param parts  the same on all ranks \param degree  of all elements \throws InputError  a folded element
 template <int D>
-BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts);
+BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, int degree);
 
 /// Changes the displacement of nodes: adds to the stresses of the simplices. \param lifts  node of the mesh -> displacement
 template <int D>
 void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts);
 
-/// True if all cells of this rank are simplices of one order; `degree` is raised to it.
-bool areSimplices(const std::vector<SubdomainMesh>& meshes, int& degree);
+/// True if all cells of this rank are triangles or tetrahedra. Local. \param degrees  the least and the largest order: extended by the
+/// cells
+bool areSimplices(const std::vector<SubdomainMesh>& meshes, std::array<int, 2>& degrees);
 
 }  // namespace suture

@@ -1,10 +1,10 @@
+#include <suture/answer/bound/ContactNodes.hpp>
 #include <suture/answer/bound/ContactPressures.hpp>
 #include <suture/answer/bound/ContactTractions.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/SideGeometry.hpp>
-#include <suture/pairs/PairFrame.hpp>
 
 #include <Teuchos_Comm.hpp>
 
@@ -19,40 +19,6 @@ namespace {
 
 // Deviations of normals and sizes of opposite sides that are round-off.
 constexpr double kOpposite = 1e-8;
-// Round-off of the weights of pairs.
-constexpr double kWeight = 1e-12;
-
-/// A side of a contact, as sent to rank 0.
-struct TouchingSide {
-  int contact = -1, rank = -1, number = -1;  // place in BoundaryParts::touching; entry of BoundParts::boundary on its rank
-  int onA = 0;
-  std::array<GlobalId, 6> nodes{{-1, -1, -1, -1, -1, -1}};  // in the order of the bound
-  std::array<Point, 6> places{}, moved{};                   // and displacements
-  Point normal{0, 0, 0};
-  double size = 0.0;
-
-  template <typename Self, typename Each>
-  static void forEachField(Self& self, const Each& each) {
-    each(self.contact), each(self.rank), each(self.number), each(self.onA), each(self.nodes), each(self.places), each(self.moved);
-    each(self.normal), each(self.size);
-  }
-};
-
-/// A pair, as sent to rank 0.
-struct TouchingPair {
-  int id = -1, line = -1;
-  GlobalId a = -1, b = -1;  // nodes; b = -1: an obstacle
-  Point normal{0, 0, 0};
-  bool isUnilateral = false;  // without friction, and separates
-  bool isSimple = false;      // at most one node on each side, with weights 1
-  std::vector<PairEnd> ends{};
-
-  template <typename Self, typename Each>
-  static void forEachField(Self& self, const Each& each) {
-    each(self.id), each(self.line), each(self.a), each(self.b), each(self.normal), each(self.isUnilateral), each(self.isSimple);
-    each(self.ends);
-  }
-};
 
 /// Normal force of a pair in the balanced field.
 struct BalancedForce {
@@ -75,100 +41,6 @@ struct SideTraction {
   static void forEachField(Self& self, const Each& each) {
     each(self.rank), each(self.number), each(self.isUnknown), each(self.values);
   }
-};
-
-TouchingPair pairOf(const ContactRow& row) {
-  TouchingPair own{row.pair.id, row.pair.line};
-  own.normal = row.pair.normal;
-  own.ends = row.pair.ends;
-  own.isUnilateral = row.separates && !row.restrictsSliding();
-  own.isSimple = row.pair.ends.size() <= 2;
-  for (const PairEnd& end : row.pair.ends) {
-    (end.weight > 0 ? own.a : own.b) = end.node;
-    own.isSimple = own.isSimple && std::abs(std::abs(end.weight) - 1) < kWeight;
-  }
-  own.isSimple = own.isSimple && own.a >= 0 && (row.pair.ends.size() == 1 || own.b >= 0);
-  return own;
-}
-
-/// A node of side A.
-struct ContactNode {
-  GlobalId a = -1, b = -1;  // and the opposite node; -1: an obstacle
-  Point place{0, 0, 0}, normal{0, 0, 0};
-  double force = 0.0, gap = 0.0;  // compressive force; gap of the displacement
-};
-
-/// The nodes of one contact, on rank 0.
-class ContactNodes {
- public:
-  using Sides = std::vector<const TouchingSide*>;
-  struct Pair {
-    TouchingPair pair;
-    PairResult result;
-  };
-  ContactNodes(int sideNodes, const Sides& a, const Sides& b) : sideNodes_(sideNodes), a_(a), b_(b) {}
-
-  /// Nodes of pairs of one node on each side. Returns what prevents it.
-  std::string fromPairs(const std::vector<Pair>& pairs) {
-    for (const Pair& pair : pairs) {
-      const double force = pair.result.state.closed() ? pair.result.force : 0.0;
-      add({pair.pair.a, pair.pair.b, {0, 0, 0}, pair.pair.normal, force, pair.result.gap});
-    }
-    return "";
-  }
-  /// Nodes of mortar pairs on sides that match: gaps from places and displacements, forces from the weights of the pairs.
-  std::string fromPlaces(const std::vector<Pair>& pairs) {
-    std::map<GlobalId, const Point*> placeOfB, movedOfB;
-    std::map<GlobalId, double> force;
-    for (const Pair& pair : pairs)
-      for (const PairEnd& end : pair.pair.ends) force[end.node] += pair.result.state.closed() ? end.weight * pair.result.force : 0.0;
-    for (const TouchingSide* side : b_)
-      for (int j = 0; j < sideNodes_; ++j) placeOfB[side->nodes[j]] = &side->places[j], movedOfB[side->nodes[j]] = &side->moved[j];
-    if (a_.empty()) return "no side of it faces another";
-    const Point normal = a_.front()->normal, along = pairFrame(normal, 3)[1];
-    std::vector<std::pair<double, GlobalId>> sorted;
-    for (const auto& [node, place] : placeOfB) sorted.push_back({dot(*place, along), node});
-    std::sort(sorted.begin(), sorted.end());
-    double largest = 0.0;
-    for (const auto& [node, value] : force) largest = std::max(largest, std::abs(value));
-    for (const TouchingSide* side : a_)
-      for (int j = 0; j < sideNodes_; ++j) {
-        if (indexOf_.count(side->nodes[j])) continue;
-        const double near = kOpposite * std::sqrt(side->size), at = dot(side->places[j], along);
-        auto candidate = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(at - near, GlobalId(-1)));
-        ContactNode node{side->nodes[j], -1, side->places[j], normal};
-        for (; candidate != sorted.end() && candidate->first <= at + near; ++candidate) {
-          const Point apart = minus(*placeOfB.at(candidate->second), side->places[j]);
-          if (norm(minus(apart, scaled(dot(apart, normal), normal))) > near) continue;
-          node.b = candidate->second;
-          node.gap = dot(apart, normal) - dot(minus(side->moved[j], *movedOfB.at(node.b)), normal);
-        }
-        if (node.b < 0) continue;  // faces nothing
-        node.force = force.count(node.a) ? force.at(node.a) : 0.0;
-        const double opposite = force.count(node.b) ? force.at(node.b) : 0.0;
-        if (std::abs(node.force + opposite) > kOpposite * largest) return "its sides do not match";
-        add(node);
-      }
-    return "";
-  }
-
-  const std::vector<ContactNode>& all() const { return nodes_; }
-  /// Place in all(); -1 for a node that faces nothing.
-  int indexOf(GlobalId a) const {
-    const auto found = indexOf_.find(a);
-    return found == indexOf_.end() ? -1 : found->second;
-  }
-
- private:
-  void add(const ContactNode& node) {
-    indexOf_[node.a] = int(nodes_.size());
-    nodes_.push_back(node);
-  }
-
-  int sideNodes_;
-  const Sides &a_, &b_;
-  std::vector<ContactNode> nodes_;
-  std::map<GlobalId, int> indexOf_;
 };
 
 /// The tractions of one contact, on rank 0.
@@ -202,8 +74,10 @@ class OneContact {
     if (contact_.isInterpolated) return "its gap varies between the nodes";
     if (!isSimple_ && contact_.groupsB.empty()) return "conditions on an obstacle involve several nodes";
     ContactNodes nodes(sideNodes(), a_, b_);
-    const std::string mismatch = isSimple_ ? nodes.fromPairs(pairs_) : nodes.fromPlaces(pairs_);
-    if (!mismatch.empty()) return mismatch;
+    if (isSimple_)
+      nodes.addPairs(pairs_);
+    else if (const std::string mismatch = nodes.addPlaces(pairs_); !mismatch.empty())
+      return mismatch;
     Sides pressed, others;
     PressedSides sides;
     const std::string problem = collect(nodes, sides, pressed, others);
@@ -231,7 +105,8 @@ class OneContact {
         if (nodes.indexOf(side->nodes[j]) >= 0) own.push_back(nodes.indexOf(side->nodes[j]));
       if (int(own.size()) < sideNodes()) continue;  // its nodes face nothing
       for (std::size_t j = 0; j < own.size(); ++j) {
-        if (norm(minus(nodes.all()[own[j]].normal, side->normal)) > kOpposite) return "it is curved";
+        if (norm(minus(nodes.all()[own[j]].normal, side->normal)) > kOpposite)
+          return "its normals are not those of its sides: it is curved, or its gap varies";
         sides.places[own[j]] = side->places[j];
       }
       if (!contact_.groupsB.empty()) {
@@ -390,7 +265,7 @@ ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& soluti
   ContactTractions result;
   std::vector<TouchingPair> pairsHere;
   for (const SubdomainMesh& mesh : solution.meshes)
-    for (const ContactRow& row : mesh.contactRows) pairsHere.push_back(pairOf(row));
+    for (const ContactRow& row : mesh.contactRows) pairsHere.push_back(touchingPair(row));
   std::vector<BalancedForce> forcesHere;
   if (solution.balancing)
     for (const auto& [id, force] : solution.balancing->forces) forcesHere.push_back({id, force.force});
@@ -426,7 +301,7 @@ ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solut
       agreedTractions(comm, solution, contacts, {D, parts.degree}, sidesHere(comm, solution, parts), tractions, parts.reasons);
   for (const SideTraction& own : tractions) {
     if (own.rank != comm.getRank()) continue;
-    BoundarySide<D>& side = parts.boundary[own.number];
+    SideCondition<D>& side = parts.boundary[own.number];
     if (own.isUnknown) {
       side.known = 0;
       continue;

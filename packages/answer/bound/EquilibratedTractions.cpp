@@ -74,7 +74,7 @@ class NodeStar {
       }
     OfSide side{s, j};
     side.element[0] = place, side.sign[0] = sign;
-    if (const BoundarySide<D>* boundary = mesh_.boundaryOf(s)) side.unknown = all & ~boundary->known;
+    if (const SideCondition<D>* boundary = mesh_.boundaryOf(s)) side.unknown = all & ~boundary->known;
     sides_.push_back(side);
   }
 
@@ -152,7 +152,7 @@ class NodeStar {
     for (const OfSide& side : sides_)
       for (int k = 0; k < D; ++k) {
         if (!(side.unknown >> k & 1u)) continue;
-        const BoundarySide<D>* boundary = mesh_.boundaryOf(side.side);
+        const SideCondition<D>* boundary = mesh_.boundaryOf(side.side);
         unknowns.push_back({&side, boundary ? Eigen::Matrix<double, D, 1>(boundary->axes.row(k).transpose())
                                             : Eigen::Matrix<double, D, 1>(Eigen::Matrix<double, D, 1>::Unit(k))});
       }
@@ -219,7 +219,7 @@ Matrix averagedTractions(const StarMesh<D>& mesh) {
     }
   for (int s = 0; s < mesh.sides(); ++s) {
     values.col(s) /= adds[s];
-    const BoundarySide<D>* boundary = mesh.boundaryOf(s);
+    const SideCondition<D>* boundary = mesh.boundaryOf(s);
     if (!boundary) continue;
     const int e = mesh.elementsOfSide(s)[0];
     double sign = 1.0;

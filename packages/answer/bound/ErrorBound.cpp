@@ -64,15 +64,12 @@ Vector improved(const Mesh& mesh, const Matrix& tractions, int sweeps, double& i
 }
 
 template <int D>
-ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, int sweeps) {
+ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, int degree, int sweeps) {
   BoundParts<D> parts;
   collectively(comm, "bounding the error", [&] {
-    parts = boundParts<D>(solution, contacts);
+    parts = boundParts<D>(solution, contacts, degree);
     if (comm.getRank() == 0) parts.reasons.insert(solution.reasons.begin(), solution.reasons.end());
   });
-  int degree = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, parts.degree, Teuchos::outArg(degree));
-  parts.degree = degree;
   const ContactTractions contact = contactTractions<D>(comm, solution, contacts, parts);
   collectively(comm, "bounding the error", [&] { lift<D>(parts, solution, contact.lifts); });
   if (!carryRestForces(comm, solution, contact.rests, parts))
@@ -122,10 +119,13 @@ ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int swe
   const int dimension = agreedDimensionOf(comm, solution.meshes);
   const BoundaryParts parts = broadcastParts(comm, solution.parts);
   if (!parts.isKnown) return notAvailable("the mesh was partitioned by suture_partition");
-  int degree = 1, simple = areSimplices(solution.meshes, degree), all = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, simple, Teuchos::outArg(all));
-  if (all == 0) return notAvailable("the mesh has cells other than triangles and tetrahedra");
-  return dimension == 3 ? boundOf<3>(comm, solution, parts, sweeps) : boundOf<2>(comm, solution, parts, sweeps);
+  std::array<int, 2> degrees{{2, 1}};
+  const int here[3] = {areSimplices(solution.meshes, degrees) ? 0 : 1, -degrees[0], degrees[1]};
+  int all[3];
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 3, here, all);
+  if (all[0] != 0) return notAvailable("the mesh has cells other than triangles and tetrahedra");
+  if (-all[1] != all[2]) return notAvailable("the mesh has elements of both orders");
+  return dimension == 3 ? boundOf<3>(comm, solution, parts, all[2], sweeps) : boundOf<2>(comm, solution, parts, all[2], sweeps);
 }
 
 }  // namespace suture

@@ -2,6 +2,7 @@
 #include <suture/answer/bound/StarMesh.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
+#include <suture/partition/SubdomainRanks.hpp>
 
 #include <Teuchos_Comm.hpp>
 
@@ -13,19 +14,6 @@
 namespace suture {
 
 namespace {
-
-/// Ranks that share a node with this one, with the subdomains there.
-std::unordered_map<int, int> ranksOfSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
-  std::vector<int> mine;
-  for (const SubdomainMesh& mesh : meshes) mine.push_back(mesh.id);
-  Packer packer;
-  packer.put(mine);
-  std::unordered_map<int, int> rankOf;
-  const std::vector<std::string> all = allGather(comm, packer.bytes());
-  for (std::size_t rank = 0; rank < all.size(); ++rank)
-    for (const int id : Unpacker(all[rank]).get<std::vector<int>>()) rankOf[id] = static_cast<int>(rank);
-  return rankOf;
-}
 
 /// Plain values with Eigen members, which are not trivially copyable for the compiler.
 template <typename T>
@@ -65,7 +53,7 @@ std::map<int, std::vector<int>> elementsForRanks(const Comm& comm, const std::ve
 
 template <int D>
 StarMesh<D>::StarMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, int degree, std::vector<BoundElement<D>> elements,
-                      const std::vector<std::vector<int>>& ofMesh, std::vector<BoundarySide<D>> boundary)
+                      const std::vector<std::vector<int>>& ofMesh, std::vector<SideCondition<D>> boundary)
     : comm_(comm),
       degree_(degree),
       own_(static_cast<int>(elements.size())),

@@ -17,9 +17,9 @@ class StarMesh {
   static constexpr int sidesOf = D + 1;
 
   /// Exchanges simplices with the ranks that share nodes with this one. Collective.
-  /// \param meshes  of this rank; \param elements  of each mesh \param boundary  BoundarySide of all of them
+  /// \param meshes  of this rank; \param elements  of each mesh \param boundary  SideCondition of all of them
   StarMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, int degree, std::vector<BoundElement<D>> elements,
-           const std::vector<std::vector<int>>& ofMesh, std::vector<BoundarySide<D>> boundary);
+           const std::vector<std::vector<int>>& ofMesh, std::vector<SideCondition<D>> boundary);
 
   const Comm& comm() const { return comm_; }
   int degree() const { return degree_; }
@@ -37,7 +37,7 @@ class StarMesh {
   /// Simplices of a side; the second is -1 at the boundary, and where a simplex of another rank is not known.
   const std::array<int, 2>& elementsOfSide(int s) const { return elementsOfSide_[s]; }
   /// Conditions on a side, or null inside the bodies.
-  const BoundarySide<D>* boundaryOf(int s) const { return boundaryOfSide_[s] < 0 ? nullptr : &boundary_[boundaryOfSide_[s]]; }
+  const SideCondition<D>* boundaryOf(int s) const { return boundaryOfSide_[s] < 0 ? nullptr : &boundary_[boundaryOfSide_[s]]; }
   /// +1 or -1: the direction of a side's normal, defined by the order of its vertices, is or is not that out of a simplex.
   double sign(int e, int a) const { return signs_[e][a]; }
   /// Size of a side, and its unit normal in that direction. [length or area]
@@ -69,7 +69,7 @@ class StarMesh {
   int own_ = 0;
   std::vector<BoundElement<D>> elements_;
   std::vector<int> rankOf_;  // rank of each simplex
-  std::vector<BoundarySide<D>> boundary_;
+  std::vector<SideCondition<D>> boundary_;
   std::map<int, std::vector<int>> sent_, received_;  // simplices, by rank
   std::vector<GlobalId> ids_;
   Matrix places_;

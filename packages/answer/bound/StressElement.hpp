@@ -53,8 +53,8 @@ class StressElement {
   /// are those of side `part`, ascending, then the centroid
   Stress stress(const Map& map, const Compliance& compliance, const Vector& data, int part, const Barycentric& point) const;
 
-  /// Resultants of data: D forces, then moments about the centroid (1; in 3D about x, y and z) divided by the root mean square distance
-  /// of the vertices from it. Zero for balanced data. rigidModes x data(); x holds [stress]
+  /// Resultants of data [stress]: D forces, then moments about the centroid (one; in 3D about x, y and z) over the root mean square
+  /// distance from it to the vertices. Zero for balanced data. rigidModes x data()
   void resultants(const Vertices& vertices, Matrix& result) const;
   /// The data of a linear stress, given at the vertices.
   void dataOf(const Vertices& vertices, const Eigen::Matrix<double, components, D + 1>& stresses, Vector& result) const;

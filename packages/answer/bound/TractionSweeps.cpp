@@ -20,7 +20,7 @@ constexpr double kDependentRow = 1e-9;
 
 /// Columns: directions in which the traction of a side may change.
 Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> freeDirections(const StarMesh<3>& mesh, int side) {
-  const BoundarySide<3>* boundary = mesh.boundaryOf(side);
+  const SideCondition<3>* boundary = mesh.boundaryOf(side);
   if (!boundary) return Eigen::Matrix3d::Identity();
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions(3, 0);
   for (int k = 0; k < 3; ++k)

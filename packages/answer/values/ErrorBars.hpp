@@ -38,9 +38,9 @@ struct ErrorBars {
   double ofCondition(int condition, double largest) const;
   double ofContact(int contact, double largest) const;
 
-  /// Measured factors: random scenes in 2D (test/drivers/force_bars.py), forces compared with those of meshes four times finer. The errors
-  /// of 95 % of the forces were below 1.7 r^2 F and 0.5 r F (largest: 2.7 and 0.9), r from recovered stresses (ErrorEstimate), F the
-  /// largest resultant; forces of cylinders on planes had errors up to 0.4 turning F.
+  /// Factors measured in random scenes in 2D (test/drivers/force_bars.py) against meshes four times finer, r from recovered stresses
+  /// (ErrorEstimate), F the largest resultant: 95 % of the errors were below 1.7 r^2 F and 0.5 r F, the largest 2.7 and 0.9; cylinders on
+  /// planes had up to 0.4 turning F.
   static constexpr double kSquare = 2.0, kLinear = 1.0, kTurning = 0.5;
 
  private:

@@ -1,0 +1,86 @@
+#include <suture/answer/bound/ContactNodes.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/pairs/PairFrame.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+// Distances of opposite nodes relative to the size of a side, and differences of their forces relative to the largest force, that are
+// round-off.
+constexpr double kSamePlace = 1e-8;
+// Round-off of the weights of pairs.
+constexpr double kWeight = 1e-12;
+
+}  // namespace
+
+TouchingPair touchingPair(const ContactRow& row) {
+  TouchingPair own{row.pair.id, row.pair.line};
+  own.normal = row.pair.normal;
+  own.ends = row.pair.ends;
+  own.isUnilateral = row.separates && !row.restrictsSliding();
+  own.isSimple = row.pair.ends.size() <= 2;
+  for (const PairEnd& end : row.pair.ends) {
+    (end.weight > 0 ? own.a : own.b) = end.node;
+    own.isSimple = own.isSimple && std::abs(std::abs(end.weight) - 1) < kWeight;
+  }
+  own.isSimple = own.isSimple && own.a >= 0 && (row.pair.ends.size() == 1 || own.b >= 0);
+  return own;
+}
+
+void ContactNodes::addPairs(const std::vector<Pair>& pairs) {
+  for (const Pair& pair : pairs) {
+    const double force = pair.result.state.closed() ? pair.result.force : 0.0;
+    add({pair.pair.a, pair.pair.b, {0, 0, 0}, pair.pair.normal, force, pair.result.gap});
+  }
+}
+
+std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs) {
+  std::map<GlobalId, const Point*> placeOfB, movedOfB;
+  std::map<GlobalId, double> force;
+  for (const Pair& pair : pairs)
+    for (const PairEnd& end : pair.pair.ends) force[end.node] += pair.result.state.closed() ? end.weight * pair.result.force : 0.0;
+  for (const TouchingSide* side : b_)
+    for (int j = 0; j < sideNodes_; ++j) placeOfB[side->nodes[j]] = &side->places[j], movedOfB[side->nodes[j]] = &side->moved[j];
+  if (a_.empty()) return "no side of it faces another";
+  const Point normal = a_.front()->normal, along = pairFrame(normal, 3)[1];
+  std::vector<std::pair<double, GlobalId>> sorted;
+  for (const auto& [node, place] : placeOfB) sorted.push_back({dot(*place, along), node});
+  std::sort(sorted.begin(), sorted.end());
+  double largest = 0.0;
+  for (const auto& [node, value] : force) largest = std::max(largest, std::abs(value));
+  for (const TouchingSide* side : a_)
+    for (int j = 0; j < sideNodes_; ++j) {
+      if (indexOf_.count(side->nodes[j])) continue;
+      const double near = kSamePlace * std::sqrt(side->size), at = dot(side->places[j], along);
+      auto candidate = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(at - near, GlobalId(-1)));
+      ContactNode node{side->nodes[j], -1, side->places[j], normal};
+      for (; candidate != sorted.end() && candidate->first <= at + near; ++candidate) {
+        const Point apart = minus(*placeOfB.at(candidate->second), side->places[j]);
+        if (norm(minus(apart, scaled(dot(apart, normal), normal))) > near) continue;
+        node.b = candidate->second;
+        node.gap = dot(apart, normal) - dot(minus(side->moved[j], *movedOfB.at(node.b)), normal);
+      }
+      if (node.b < 0) continue;  // faces nothing
+      node.force = force.count(node.a) ? force.at(node.a) : 0.0;
+      const double opposite = force.count(node.b) ? force.at(node.b) : 0.0;
+      if (std::abs(node.force + opposite) > kSamePlace * largest) return "its sides do not match";
+      add(node);
+    }
+  return "";
+}
+
+int ContactNodes::indexOf(GlobalId a) const {
+  const auto found = indexOf_.find(a);
+  return found == indexOf_.end() ? -1 : found->second;
+}
+
+void ContactNodes::add(const ContactNode& node) {
+  indexOf_[node.a] = int(nodes_.size());
+  nodes_.push_back(node);
+}
+
+}  // namespace suture

@@ -1,0 +1,84 @@
+#pragma once
+#include <suture/answer/PairResult.hpp>
+#include <suture/pairs/ContactRow.hpp>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A side of a contact, as sent to rank 0.
+struct TouchingSide {
+  int contact = -1, rank = -1, number = -1;  // place in BoundaryParts::touching; entry of BoundParts::boundary on its rank
+  int onA = 0;
+  std::array<GlobalId, 6> nodes{{-1, -1, -1, -1, -1, -1}};  // in the order of the bound
+  std::array<Point, 6> places{}, moved{};                   // and displacements
+  Point normal{0, 0, 0};
+  double size = 0.0;
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.contact), each(self.rank), each(self.number), each(self.onA), each(self.nodes), each(self.places), each(self.moved);
+    each(self.normal), each(self.size);
+  }
+};
+
+/// A pair, as sent to rank 0.
+struct TouchingPair {
+  int id = -1, line = -1;
+  GlobalId a = -1, b = -1;  // nodes; b = -1: an obstacle
+  Point normal{0, 0, 0};
+  bool isUnilateral = false;  // without friction, and separates
+  bool isSimple = false;      // at most one node on each side, with weights 1
+  std::vector<PairEnd> ends{};
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.id), each(self.line), each(self.a), each(self.b), each(self.normal), each(self.isUnilateral), each(self.isSimple);
+    each(self.ends);
+  }
+};
+
+/// Local.
+TouchingPair touchingPair(const ContactRow& row);
+
+/// A node of side A.
+struct ContactNode {
+  GlobalId a = -1, b = -1;  // and the opposite node; -1: an obstacle
+  Point place{0, 0, 0}, normal{0, 0, 0};
+  double force = 0.0, gap = 0.0;  // compressive force; gap of the displacement
+};
+
+/// The nodes of one contact with the forces and gaps that a solution has there, on rank 0.
+class ContactNodes {
+ public:
+  using Sides = std::vector<const TouchingSide*>;
+  struct Pair {
+    TouchingPair pair;
+    PairResult result;
+  };
+  /// \param a, b  sides of the contact; must outlive this object
+  ContactNodes(int sideNodes, const Sides& a, const Sides& b) : sideNodes_(sideNodes), a_(a), b_(b) {}
+
+  /// Nodes of pairs of one node on each side.
+  void addPairs(const std::vector<Pair>& pairs);
+  /// Nodes of mortar pairs on sides that match: gaps from places and displacements, forces from the weights of the pairs. Returns what
+  /// prevents it; empty if nothing does.
+  std::string addPlaces(const std::vector<Pair>& pairs);
+
+  const std::vector<ContactNode>& all() const { return nodes_; }
+  /// Place in all(); -1 for a node that faces nothing.
+  int indexOf(GlobalId a) const;
+
+ private:
+  void add(const ContactNode& node);
+
+  int sideNodes_;
+  const Sides &a_, &b_;
+  std::vector<ContactNode> nodes_;
+  std::map<GlobalId, int> indexOf_;
+};
+
+}  // namespace suture
