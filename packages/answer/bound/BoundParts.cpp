@@ -14,7 +14,7 @@ namespace suture {
 namespace {
 
 // Distance of a mid-side node from the middle, and deviation of loads from polynomials, relative to the size, that are round-off.
-constexpr double kStraight = 1e-9;
+constexpr double kStraightSide = 1e-9;
 constexpr double kPolynomial = 1e-9;
 
 template <int D>
@@ -160,7 +160,7 @@ class Collector {
         if ((a == c && b == d) || (a == d && b == c)) nodes.push_back(all[cell.vertices + i]);
       }
       const Point middle = scaled(0.5, plus(mesh.point(a), mesh.point(b)));
-      if (norm(minus(mesh.point(nodes.back()), middle)) > kStraight * norm(minus(mesh.point(a), mesh.point(b))))
+      if (norm(minus(mesh.point(nodes.back()), middle)) > kStraightSide * norm(minus(mesh.point(a), mesh.point(b))))
         result_.reasons.insert("elements have curved sides");
     }
     return nodes;
