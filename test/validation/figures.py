@@ -324,6 +324,13 @@ def bound_effectivity(folder, _, energy):
     return s["bound"]["total"] / math.sqrt(2 * (s["energy"] - energy))
 
 
+def bound_overLifted(folder, _, energy):
+    """The bound of |u - u_h| divided by the error |u - v| of the displacement v whose energy is energy_upper: v is u_h, lifted where it
+    penetrates. |u - v|^2 = 2 (J(v) - J(u)). energy: the potential energy J(u)."""
+    s = summary(folder)
+    return s["bound"]["total"] / math.sqrt(2 * (s["bound"]["energy_upper"] - energy))
+
+
 def vtk_quadrilateralArea(folder, _):
     """Area of all quadrilaterals from VTK's own reader, computed in the order of their corners."""
     from vtkmodules.vtkCommonDataModel import VTK_QUAD

@@ -323,9 +323,10 @@ BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& p
 }
 
 template <int D>
-void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts) {
+Vector liftEnergies(const BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts) {
   using Nodes = SimplexNodes<D>;
-  if (lifts.empty()) return;
+  Vector energies = Vector::Zero(Eigen::Index(parts.elements.size()));
+  if (lifts.empty()) return energies;
   for (std::size_t m = 0; m < solution.meshes.size(); ++m) {
     const SubdomainMesh& mesh = solution.meshes[m];
     std::map<int, Point> here;
@@ -337,7 +338,7 @@ void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<
     for (int e = 0; e < mesh.elements(); ++e) {
       const Span<const int> all = mesh.nodesOf(e);
       const CellInfo& cell = cellInfo(mesh.cells[e]);
-      BoundElement<D>& element = parts.elements[parts.ofMesh[m][e]];
+      const BoundElement<D>& element = parts.elements[parts.ofMesh[m][e]];
       Eigen::Matrix<double, D, (D == 2 ? 6 : 10)> nodal;
       nodal.setZero();
       const auto place = [&](int node) {
@@ -361,17 +362,17 @@ void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<
       const Law<D> law(solution.model.materialOf(mesh, e, mesh.body), solution.model.plane);
       const Eigen::Matrix<double, BoundElement<D>::stress, D + 1> change =
           law.stiffness * Collector<D>::strains(element, nodal, parts.degree);
-      element.stresses += change;
-      parts.liftNorm += energyOf<D>(element, change);
+      energies[parts.ofMesh[m][e]] = energyOf<D>(element, change);
     }
   }
+  return energies;
 }
 
 template struct BoundParts<2>;
 template struct BoundParts<3>;
 template BoundParts<2> boundParts(const BoundedSolution&, const BoundaryParts&, int);
 template BoundParts<3> boundParts(const BoundedSolution&, const BoundaryParts&, int);
-template void lift(BoundParts<2>&, const BoundedSolution&, const std::map<GlobalId, Point>&);
-template void lift(BoundParts<3>&, const BoundedSolution&, const std::map<GlobalId, Point>&);
+template Vector liftEnergies(const BoundParts<2>&, const BoundedSolution&, const std::map<GlobalId, Point>&);
+template Vector liftEnergies(const BoundParts<3>&, const BoundedSolution&, const std::map<GlobalId, Point>&);
 
 }  // namespace suture

@@ -25,7 +25,6 @@ struct BoundParts {
   /// Entries of `boundary` on each contact (place in BoundaryParts::touching), on sides A and B.
   std::vector<std::vector<int>> onA, onB;
   double solutionNorm = 0.0;      ///< square over this rank [energy]
-  double liftNorm = 0.0;          ///< likewise, of the change by lift() [energy]
   double oscillation = 0.0;       ///< square over this rank, estimated [energy]
   std::set<std::string> reasons;  ///< why the bound is not strict, found on this rank
 };
@@ -34,9 +33,9 @@ struct BoundParts {
 template <int D>
 BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, int degree);
 
-/// Changes the displacement of nodes: adds to the stresses of the simplices. \param lifts  node of the mesh -> displacement
+/// Squares of the energy norm of the displacements of some nodes, for each simplex. Local. \param lifts  node of the mesh -> displacement
 template <int D>
-void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts);
+Vector liftEnergies(const BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts);
 
 /// True if all cells of this rank are triangles or tetrahedra. Local. \param degrees  the least and the largest order: extended by the
 /// cells

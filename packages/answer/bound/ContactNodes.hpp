@@ -16,12 +16,12 @@ struct TouchingSide {
   std::array<GlobalId, 6> nodes{{-1, -1, -1, -1, -1, -1}};  // in the order of the bound
   std::array<Point, 6> places{}, moved{};                   // and displacements
   Point normal{0, 0, 0};
-  double size = 0.0;
+  double size = 0.0, stiffness = 0.0;  // Young's modulus, the largest of the material
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.contact), each(self.rank), each(self.number), each(self.onA), each(self.nodes), each(self.places), each(self.moved);
-    each(self.normal), each(self.size);
+    each(self.normal), each(self.size), each(self.stiffness);
   }
 };
 

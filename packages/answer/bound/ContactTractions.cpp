@@ -143,7 +143,7 @@ class OneContact {
     }
   }
 
-  /// Lifts side A out of side B: first its nodes, then the middles of its edges until the polynomial gap is nowhere negative.
+  /// Lifts the sides out of each other: first their nodes, then the middles of their edges until the polynomial gap is nowhere negative.
   void addGap(const ContactNodes& nodes, const PressedSides& sides, const Pressures& pressures, ContactTractions& all) const {
     std::vector<double> heights;
     for (const ContactNode& node : nodes.all()) heights.push_back(std::max(0.0, -node.gap));
@@ -154,15 +154,29 @@ class OneContact {
       return gaps;
     };
     const std::vector<double> more = liftOfGaps(sides, gapsOf(heights));
+    const std::map<GlobalId, double> stiffness = nodalStiffness();
     for (std::size_t i = 0; i < heights.size(); ++i) {
       heights[i] += more[i];
       if (!(heights[i] > 0.0)) continue;
       const ContactNode& node = nodes.all()[i];
-      Point& value = all.lifts[node.a];
-      value = plus(value, scaled(-heights[i], node.normal));
+      // The energy of both lifts together is least if they are as their compliances.
+      const double ofA = node.b < 0 ? 1.0 : stiffness.at(node.b) / (stiffness.at(node.a) + stiffness.at(node.b));
+      move(all.lifts[node.a], -ofA * heights[i], node.normal);
+      if (node.b >= 0) move(all.lifts[node.b], (1.0 - ofA) * heights[i], node.normal);
       all.liftWork += node.force * heights[i];
     }
-    all.gapWork += 2 * std::max(0.0, gapWork(sides, pressures.values, gapsOf(heights)));
+    all.gapWork += 2 * gapWork(sides, pressures.values, gapsOf(std::vector<double>(heights.size(), 0.0)));
+    all.liftedGapWork += 2 * std::max(0.0, gapWork(sides, pressures.values, gapsOf(heights)));
+  }
+
+  static void move(Point& place, double by, const Point& direction) { place = plus(place, scaled(by, direction)); }
+
+  std::map<GlobalId, double> nodalStiffness() const {
+    std::map<GlobalId, double> all;
+    for (const Sides* sides : {&a_, &b_})
+      for (const TouchingSide* side : *sides)
+        for (int j = 0; j < sideNodes(); ++j) all[side->nodes[j]] = std::max(all[side->nodes[j]], side->stiffness);
+    return all;
   }
 
   void addRests(const ContactNodes& nodes, const Pressures& pressures, ContactTractions& all) const {
@@ -225,6 +239,7 @@ std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& sol
     for (int k = 0; k < D; ++k) opposite[k] = element.places(k, place.opposite);
     if (dot(normal, minus(side.places[0], opposite)) < 0) normal = scaled(-1.0, normal);
     side.normal = unit(normal);
+    side.stiffness = 1.0 / element.compliance.diagonal().minCoeff();
     all.push_back(side);
   };
   for (std::size_t i = 0; i < parts.onA.size(); ++i) {
@@ -278,6 +293,7 @@ ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& soluti
   packer.put(tractions);
   packer.put(result.lifts);
   packer.put(result.gapWork);
+  packer.put(result.liftedGapWork);
   packer.put(result.liftWork);
   packer.put(static_cast<int>(result.rests.size()));
   for (const UnbalancedForces& rest : result.rests) packer.put(rest.nodes), packer.put(rest.forces);
@@ -285,6 +301,7 @@ ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& soluti
   unpacker.get(tractions);
   unpacker.get(result.lifts);
   unpacker.get(result.gapWork);
+  unpacker.get(result.liftedGapWork);
   unpacker.get(result.liftWork);
   result.rests.resize(static_cast<std::size_t>(unpacker.get<int>()));
   for (UnbalancedForces& rest : result.rests) unpacker.get(rest.nodes), unpacker.get(rest.forces);

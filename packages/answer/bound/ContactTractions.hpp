@@ -16,7 +16,8 @@ struct ContactTractions {
   std::map<GlobalId, Point> lifts;      ///< displacements to be added at mid-side nodes, so that no gap is negative [length]
   std::vector<UnbalancedForces> rests;  ///< to be carried by stresses near their nodes
   double liftWork = 0.0;                ///< work of the contact forces in the lifts, which they resist [energy]
-  double gapWork = 0.0;                 ///< 2 x integral of pressure times gap [energy]
+  double gapWork = 0.0;                 ///< 2 x integral of pressure times gap, negative where sides penetrate [energy]
+  double liftedGapWork = 0.0;           ///< the same with the lifts, at least 0 [energy]
 };
 
 /// Sets the tractions of the contacts' sides in `parts`: pressures p >= 0, equal and opposite on both sides, in balance with the forces of

@@ -71,7 +71,8 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
     if (comm.getRank() == 0) parts.reasons.insert(solution.reasons.begin(), solution.reasons.end());
   });
   const ContactTractions contact = contactTractions<D>(comm, solution, contacts, parts);
-  collectively(comm, "bounding the error", [&] { lift<D>(parts, solution, contact.lifts); });
+  Vector lifted;
+  collectively(comm, "bounding the error", [&] { lifted = liftEnergies<D>(parts, solution, contact.lifts); });
   if (!carryRestForces(comm, solution, contact.rests, parts))
     parts.reasons.insert("contact pressures balance the nodal forces only on the average");
   const StarMesh<D> mesh(comm, solution.meshes, degree, parts.elements, parts.ofMesh, parts.boundary);
@@ -96,19 +97,19 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   bound.strict = bound.reasons.empty();
   bound.solutionNorm = std::sqrt(sumOver(comm, parts.solutionNorm));
   bound.oscillation = std::sqrt(sumOver(comm, parts.oscillation));
-  const double square = std::max(0.0, sumOver(comm, squares.sum())) + contact.gapWork;
+  const double stresses = std::max(0.0, sumOver(comm, squares.sum())), lift = sumOver(comm, lifted.sum());
+  const double square = stresses + contact.liftedGapWork + lift;
   // The correction of the solver is orthogonal to the rest before the sweeps, and nearly so after them.
   const double algebraic = solution.balancing ? solution.balancing->energy : 0.0;
   bound.algebraic = std::sqrt(algebraic);
   bound.discretisation = std::sqrt(std::max(0.0, square - algebraic));
-  const double lifted = sumOver(comm, parts.liftNorm);
-  bound.total = std::sqrt(square) + bound.oscillation + std::sqrt(lifted) + kRoundOffOfSolution * bound.solutionNorm;
-  bound.energyUpper = solution.energy + contact.liftWork + lifted / 2;
-  bound.energyLower = bound.energyUpper - square / 2;
+  bound.total = std::sqrt(square) + bound.oscillation + kRoundOffOfSolution * bound.solutionNorm;
+  bound.energyUpper = solution.energy + contact.liftWork + lift / 2;
+  bound.energyLower = solution.energy - (stresses + contact.gapWork) / 2;
   for (std::size_t m = 0; m < solution.meshes.size(); ++m) {
     bound.ofElements.emplace_back(solution.meshes[m].elements());
     for (int e = 0; e < solution.meshes[m].elements(); ++e)
-      bound.ofElements.back()[e] = std::sqrt(std::max(0.0, squares[parts.ofMesh[m][e]]));
+      bound.ofElements.back()[e] = std::sqrt(std::max(0.0, squares[parts.ofMesh[m][e]]) + lifted[parts.ofMesh[m][e]]);
   }
   return bound;
 }

@@ -44,12 +44,14 @@ struct BoundedSolution {
   std::string notBalanced{};                  ///< why `balancing` is missing
 };
 
-/// Bounds the error by statically admissible stresses tau (Prager and Synge, Quart. Appl. Math. 5, 1947): with a displacement v without
-/// penetration and a contact pressure p >= 0 that acts on both sides,
-///     |u - v|^2 <= |tau - C eps(v)|^2 + 2 integral of p (gap of v),
-/// the first norm that of the complementary energy. Tractions between elements follow from the nodal forces of the elements, vertex by
-/// vertex (Ladeveze and Leguillon, SIAM J. Num. Anal. 20, 1983); stresses in the elements are those of StressElement; conjugate gradients
-/// over the stars of the vertices improve them. Collective. \param sweeps  least number of these iterations
+/// Bounds the error by statically admissible stresses tau (Prager and Synge, Quart. Appl. Math. 5, 1947): with a contact pressure p >= 0
+/// that acts on both sides, and a displacement w that lifts u_h out of penetration,
+///     |u - u_h|^2 <= |tau - C eps(u_h)|^2 + |w|^2 + 2 integral of p (gap of u_h + w).
+/// The first norm is that of the complementary energy. Penetration enters with the exact pressure q and stress sigma: the integral of
+/// (q - p) (jump of w) is at most |sigma - tau| |w|, and |sigma - tau|^2 - 2 |sigma - tau| |w| >= -|w|^2. Tractions between elements follow
+/// from the nodal forces of the elements, vertex by vertex (Ladeveze and Leguillon, SIAM J. Num. Anal. 20, 1983); stresses in the elements
+/// are those of StressElement; conjugate gradients over the stars of the vertices improve them. Collective.
+/// \param sweeps  least number of these iterations
 ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int sweeps = 2);
 
 }  // namespace suture
