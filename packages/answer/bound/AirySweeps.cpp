@@ -86,6 +86,7 @@ template <int K>
 AirySweeps<K>::AirySweeps(const StarMesh<2>& mesh, const Matrix& given) : mesh_(mesh) {
   collectively(mesh.comm(), "assembling stress functions", [&] {
     findFreedom();
+    listStars();
     assemble(given);
     factorStars();
   });
@@ -148,7 +149,9 @@ typename AirySweeps<K>::Element::Sides AirySweeps<K>::sidesOf(int e) const {
 template <int K>
 void AirySweeps<K>::assemble(const Matrix& given) {
   const Element& reference = Element::reference();
-  matrices_.resize(std::size_t((mesh_.elements() + lanes - 1) / lanes) * packed * lanes);
+  const std::size_t groups = std::size_t((mesh_.elements() + lanes - 1) / lanes), size = packed * lanes;
+  matrices_.reset(new double[groups * size]);
+  if (groups > 0) std::fill_n(&matrices_[(groups - 1) * size], size, 0.0);
   loads_.resize(dofs, mesh_.elements());
   start_ = Vector::Zero(mesh_.own());
   Eigen::Matrix<double, sideData, 3> tractions;
@@ -162,6 +165,7 @@ void AirySweeps<K>::assemble(const Matrix& given) {
     double* entry = &matrices_[std::size_t(e / lanes) * packed * lanes + e % lanes];
     for (int i = 0; i < dofs; ++i)
       for (int j = 0; j <= i; ++j, entry += lanes) *entry = energy.matrix(j, i);
+    addToStars(e, energy.matrix);
     loads_.col(e) = energy.loads;
     if (e < mesh_.own()) start_[e] = energy.start;
   }
@@ -208,71 +212,80 @@ void AirySweeps<K>::measureImbalance(const Matrix& given) {
   imbalance_ = force > 0.0 ? rest / force : 0.0;
 }
 
-/// Sides at a vertex in the order of the triangles there, and the lower triangle of the star's matrix by rows: the vertex, then the sides.
-/// Rows and columns of fixed unknowns are zero. Returns false if no triangle is known.
 template <int K>
-bool AirySweeps<K>::assembleStar(int v, std::vector<int>& sides, std::vector<double>& star) const {
-  sides.clear();
-  star.clear();
-  if (!mesh_.isComplete(v)) return false;
-  const auto numberOf = [&](int s) {
-    const auto found = std::find(sides.begin(), sides.end(), s);
-    const int number = int(found - sides.begin());
-    if (found != sides.end()) return number;
-    sides.push_back(s);
-    const int n = 3 + onSide * int(sides.size());
-    star.resize(std::size_t(n) * (n + 1) / 2, 0.0);
-    return number;
-  };
-  star.resize(6, 0.0);
-  int own[3 + 2 * onSide], place[3 + 2 * onSide];  // unknowns in the triangle, and in the star
-  char isFree[3 + 2 * onSide];
-  for (const int e : mesh_.star(v)) {
-    int count = 0;
-    const auto& vertices = mesh_.verticesOf(e);
-    const int at = vertices[0] == v ? 0 : vertices[1] == v ? 1 : 2;
-    for (int i = 0; i < 3; ++i) own[count] = 3 * at + i, place[count] = i, isFree[count++] = !(fixedAtVertex_[v] >> i & 1u);
-    for (int a = 0; a < 3; ++a) {
-      if (a == at) continue;
-      const int s = mesh_.sidesOfElement(e)[a], number = numberOf(s);
-      for (int k = 0; k < onSide; ++k) {
-        own[count] = 9 + onSide * a + k, place[count] = 3 + onSide * number + k;
-        isFree[count++] = !(fixedAtSide_[s] >> k & 1u);
-      }
-    }
-    for (int i = 0; i < count; ++i) {
-      if (!isFree[i]) continue;
-      for (int j = 0; j <= i; ++j) {
-        if (!isFree[j]) continue;
-        const int row = std::max(place[i], place[j]), column = std::min(place[i], place[j]);
-        star[std::size_t(row) * (row + 1) / 2 + column] += entry(e, own[i], own[j]);
-      }
-    }
+void AirySweeps<K>::listStars() {
+  starBegin_.assign(1, 0);
+  factorBegin_.assign(1, 0);
+  starBegin_.reserve(mesh_.vertices() + 1);
+  factorBegin_.reserve(mesh_.vertices() + 1);
+  starSides_.reserve(std::size_t(2 * mesh_.sides()));
+  for (int v = 0; v < mesh_.vertices(); ++v) {
+    const std::size_t begin = starSides_.size();
+    if (mesh_.isComplete(v))
+      for (const int e : mesh_.star(v))
+        for (int a = 0; a < 3; ++a) {
+          const int s = mesh_.sidesOfElement(e)[a];
+          if (mesh_.verticesOf(e)[a] != v && std::find(starSides_.begin() + begin, starSides_.end(), s) == starSides_.end())
+            starSides_.push_back(s);
+        }
+    starBegin_.push_back(int(starSides_.size()));
+    const int sides = starBegin_[v + 1] - starBegin_[v], n = sides == 0 ? 0 : 3 + onSide * sides;
+    factorBegin_.push_back(factorBegin_.back() + std::size_t(n) * (n + 1) / 2);
   }
-  return true;
+  factors_.assign(factorBegin_.back(), 0.0);
+}
+
+/// Adds the stiffness of a triangle to the matrices of its vertices' stars: rows of the lower triangles, the vertex, then the sides.
+template <int K>
+void AirySweeps<K>::addToStars(int e, const typename Element::LocalMatrix& matrix) {
+  const auto& vertices = mesh_.verticesOf(e);
+  for (int at = 0; at < 3; ++at) {
+    const int v = vertices[at];
+    if (starBegin_[v + 1] == starBegin_[v]) continue;
+    const int* first = &starSides_[starBegin_[v]];
+    double* star = &factors_[factorBegin_[v]];
+    const auto row = [star](int i) { return star + i * (i + 1) / 2; };
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j) row(i)[j] += matrix(3 * at + j, 3 * at + i);
+    int place[2], own[2];
+    for (int k = 0; k < 2; ++k) {
+      const int a = k == 0 ? (at == 0 ? 1 : 0) : (at == 2 ? 1 : 2), s = mesh_.sidesOfElement(e)[a];
+      int number = 0;
+      while (first[number] != s) ++number;
+      place[k] = 3 + onSide * number, own[k] = 9 + onSide * a;
+      for (int i = 0; i < onSide; ++i) {
+        for (int j = 0; j < 3; ++j) row(place[k] + i)[j] += matrix(3 * at + j, own[k] + i);
+        for (int j = 0; j <= i; ++j) row(place[k] + i)[place[k] + j] += matrix(own[k] + j, own[k] + i);
+      }
+    }
+    const int low = place[0] < place[1] ? 0 : 1, high = 1 - low;
+    for (int i = 0; i < onSide; ++i)
+      for (int j = 0; j < onSide; ++j) row(place[high] + i)[place[low] + j] += matrix(own[low] + j, own[high] + i);
+  }
+}
+
+/// Rows and columns of fixed unknowns become zero.
+template <int K>
+void AirySweeps<K>::fixInStar(int v) {
+  const int sides = starBegin_[v + 1] - starBegin_[v], n = 3 + onSide * sides;
+  const auto fix = [&](int i) {
+    double* star = &factors_[factorBegin_[v]];
+    for (int j = 0; j < n; ++j) star[std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j)] = 0.0;
+  };
+  for (int i = 0; i < 3; ++i)
+    if (fixedAtVertex_[v] >> i & 1u) fix(i);
+  for (int side = 0; side < sides; ++side)
+    for (int k = 0; k < onSide; ++k)
+      if (fixedAtSide_[starSides_[starBegin_[v] + side]] >> k & 1u) fix(3 + onSide * side + k);
 }
 
 template <int K>
 void AirySweeps<K>::factorStars() {
-  starBegin_.assign(1, 0);
-  factorBegin_.assign(1, 0);
-  std::size_t most = 0;  // numbers of all factors: stars have as many sides as triangles, and one more at the boundary
   for (int v = 0; v < mesh_.vertices(); ++v) {
-    const std::size_t n = 3 + onSide * (mesh_.star(v).size() + 1);
-    most += n * (n + 1) / 2;
-  }
-  factors_.reserve(most);
-  starSides_.reserve(std::size_t(2 * mesh_.sides()));
-  std::vector<int> sides;
-  std::vector<double> star;
-  for (int v = 0; v < mesh_.vertices(); ++v) {
-    if (assembleStar(v, sides, star)) {
-      factorStar(star.data(), 3 + onSide * int(sides.size()));
-      starSides_.insert(starSides_.end(), sides.begin(), sides.end());
-      factors_.insert(factors_.end(), star.begin(), star.end());
-    }
-    starBegin_.push_back(int(starSides_.size()));
-    factorBegin_.push_back(factors_.size());
+    const int sides = starBegin_[v + 1] - starBegin_[v];
+    if (sides == 0) continue;
+    fixInStar(v);
+    factorStar(&factors_[factorBegin_[v]], 3 + onSide * sides);
   }
 }
 

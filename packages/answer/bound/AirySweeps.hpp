@@ -3,6 +3,9 @@
 #include <suture/answer/bound/StarMesh.hpp>
 #include <suture/answer/bound/SweepGain.hpp>
 
+#include <memory>
+#include <vector>
+
 namespace suture {
 
 /// Improves equilibrated tractions in 2D by conjugate gradients for the least complementary energy.
@@ -39,7 +42,9 @@ class AirySweeps {
   typename Element::Sides sidesOf(int e) const;
   void measureImbalance(const Matrix& given);
   void factorStars();
-  bool assembleStar(int v, std::vector<int>& sides, std::vector<double>& star) const;
+  void listStars();
+  void addToStars(int e, const typename Element::LocalMatrix& matrix);
+  void fixInStar(int v);
   Field zero() const;
   Local gather(const Field& field, int e) const;
   void product(const Field& p, Field& result) const;
@@ -52,9 +57,9 @@ class AirySweeps {
   const StarMesh<2>& mesh_;
   std::vector<Eigen::Matrix2d> frames_;                // axes for the gradient at each vertex, columns
   std::vector<unsigned> fixedAtVertex_, fixedAtSide_;  // bits
-  std::vector<double> matrices_;  // stiffness of all triangles: rows of the lower triangles, `lanes` triangles together
-  Matrix loads_;                  // dofs x triangles
-  Vector start_;                  // energies of own triangles before the first sweep
+  std::unique_ptr<double[]> matrices_;  // stiffness of all triangles: rows of the lower triangles, `lanes` triangles together
+  Matrix loads_;                        // dofs x triangles
+  Vector start_;                        // energies of own triangles before the first sweep
   double imbalance_ = 0.0;
   Field solution_;
   // Stars: sides, and packed Cholesky factors one after the other, rows of the lower triangles; a zero on the diagonal marks a fixed
