@@ -1,6 +1,10 @@
 #pragma once
+#include <suture/answer/bound/AiryElement.hpp>
 #include <suture/answer/bound/StarMesh.hpp>
 #include <suture/answer/bound/SweepGain.hpp>
+
+#include <memory>
+#include <vector>
 
 namespace suture {
 
@@ -25,35 +29,37 @@ class AirySweeps {
   double imbalance() const { return imbalance_; }
 
  private:
-  static constexpr int onSide = K == 1 ? 1 : 3;  ///< unknowns of a side besides those of its ends
-  static constexpr int dofs = 9 + 3 * onSide, sideData = 2 * (K + 1), tractions = 3 * sideData;
-  using Local = Eigen::Matrix<double, dofs, 1>;
-  using LocalMatrix = Eigen::Matrix<double, dofs, dofs>;
-  using OfSide = Eigen::Matrix<double, sideData, 6 + onSide>;
+  using Element = AiryElement<K>;
+  using Local = typename Element::Local;
+  static constexpr int onSide = Element::onSide, dofs = Element::dofs, sideData = Element::sideData, packed = Element::packed;
+  static constexpr int lanes = 4;  ///< triangles whose matrices are stored and multiplied together
   struct Field {
     Matrix ofVertices, ofSides;  ///< value and gradient, 3 x vertices; onSide x sides
   };
   void findFreedom();
   void constrain(int side);
   void assemble(const Matrix& given);
-  OfSide sideTractions(int side) const;
+  typename Element::Sides sidesOf(int e) const;
+  void measureImbalance(const Matrix& given);
   void factorStars();
   void listStars();
+  void addToStars(int e, const typename Element::LocalMatrix& matrix);
+  void fixInStar(int v);
   Field zero() const;
   Local gather(const Field& field, int e) const;
-  void scatter(const Local& values, int e, Field& field) const;
-  Field product(const Field& p) const;
-  Field precondition(const Field& r) const;
+  void product(const Field& p, Field& result) const;
+  void precondition(const Field& r, Field& z) const;
   void exchange(Field& field) const;
   double dot(const Field& a, const Field& b) const;
-  Eigen::Map<const LocalMatrix> matrix(int e) const { return Eigen::Map<const LocalMatrix>(&matrices_[std::size_t(e) * dofs * dofs]); }
+  /// Entry i >= j of the stiffness of a triangle.
+  double entry(int e, int i, int j) const { return matrices_[(std::size_t(e / lanes) * packed + i * (i + 1) / 2 + j) * lanes + e % lanes]; }
 
   const StarMesh<2>& mesh_;
   std::vector<Eigen::Matrix2d> frames_;                // axes for the gradient at each vertex, columns
   std::vector<unsigned> fixedAtVertex_, fixedAtSide_;  // bits
-  std::vector<double> matrices_;                       // stiffness of all triangles
-  Matrix loads_;                                       // dofs x triangles
-  Vector start_;                                       // energies of own triangles before the first sweep
+  std::unique_ptr<double[]> matrices_;  // stiffness of all triangles: rows of the lower triangles, `lanes` triangles together
+  Matrix loads_;                        // dofs x triangles
+  Vector start_;                        // energies of own triangles before the first sweep
   double imbalance_ = 0.0;
   Field solution_;
   // Stars: sides, and packed Cholesky factors one after the other, rows of the lower triangles; a zero on the diagonal marks a fixed

@@ -1,6 +1,6 @@
-#include <Eigen/LU>
 #include <suture/answer/bound/BoundParts.hpp>
 #include <suture/answer/bound/SideConditions.hpp>
+#include <suture/answer/bound/SimplexField.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementStress.hpp>
 
@@ -16,6 +16,8 @@ namespace {
 // Distance of a mid-side node from the middle, and deviation of loads from polynomials, relative to the size, that are round-off.
 constexpr double kStraightSide = 1e-9;
 constexpr double kPolynomial = 1e-9;
+// Distance of a mid-side node from the middle, relative to the edge, up to which forces of straight elements are those of the solver.
+constexpr double kExactlyStraight = 1e-11;
 
 template <int D>
 constexpr std::array<int, BoundElement<D>::stress> componentsOf() {
@@ -29,13 +31,15 @@ constexpr std::array<int, BoundElement<D>::stress> componentsOf() {
 template <int D>
 struct Law {
   static constexpr int n = BoundElement<D>::stress;
-  HookesLaw<D> full;
+  HookesLaw<D> ofElements, full;
   Eigen::Matrix<double, n, n> stiffness, compliance;
+  bool isFull = false;  ///< true: the elements have the full law themselves
 
-  Law(Material material, PlaneModel plane) {
+  Law(Material material, PlaneModel plane) : ofElements(material, plane) {
     material.element = ElementForm::Displacement;
     material.enhanced = false;
     full = HookesLaw<D>(material, plane);
+    isFull = ofElements.projected == 0.0 && ofElements.pointwise == full.pointwise;
     const auto c = componentsOf<D>();
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) stiffness(i, j) = full.pointwise(c[i], c[j]);
@@ -53,22 +57,6 @@ struct Law {
 };
 
 template <int D>
-double volume(const BoundElement<D>& element) {
-  Eigen::Matrix<double, D, D> map;
-  for (int i = 0; i < D; ++i) map.col(i) = element.places.col(i + 1) - element.places.col(0);
-  return std::abs(map.determinant()) / (D == 2 ? 2 : 6);
-}
-
-/// Integral of s.C s for a stress that is linear in an element.
-template <int D>
-double energyOf(const BoundElement<D>& element, const Eigen::Matrix<double, BoundElement<D>::stress, D + 1>& stresses) {
-  const Eigen::Matrix<double, BoundElement<D>::stress, 1> sum = stresses.rowwise().sum();
-  double squares = sum.dot(element.compliance * sum);
-  for (int q = 0; q <= D; ++q) squares += stresses.col(q).dot(element.compliance * stresses.col(q));
-  return volume(element) / ((D + 1) * (D + 2)) * squares;
-}
-
-template <int D>
 class Collector {
  public:
   Collector(const BoundedSolution& solution, const BoundaryParts& parts, int degree) : solution_(solution), parts_(parts) {
@@ -78,6 +66,9 @@ class Collector {
   BoundParts<D> collect() {
     result_.onA.resize(parts_.touching.size());
     result_.onB.resize(parts_.touching.size());
+    std::size_t elements = 0;
+    for (const SubdomainMesh& mesh : solution_.meshes) elements += std::size_t(mesh.elements());
+    result_.elements.reserve(elements);
     for (std::size_t m = 0; m < solution_.meshes.size(); ++m) addMesh(static_cast<int>(m));
     return std::move(result_);
   }
@@ -86,6 +77,12 @@ class Collector {
   using Nodes = SimplexNodes<D>;
   using Place = Eigen::Matrix<double, D, 1>;
   static constexpr int n = BoundElement<D>::stress;
+  /// Nodes of an element in the order of SimplexNodes: numbers in the mesh, and within the element.
+  struct Ordered {
+    std::array<int, (D == 2 ? 6 : 10)> node{}, local{};
+    int count = D + 1;
+    bool isStraight = true;  ///< so exactly that forces can be integrated in closed form
+  };
 
   void addMesh(int m) {
     const SubdomainMesh& mesh = solution_.meshes[m];
@@ -98,28 +95,34 @@ class Collector {
     const Vector balanced = corrected ? Vector(displacement + solution_.balancing->correction[m]) : displacement;
     const std::vector<const Load*> loads = bodyLoads(mesh);
     Vector scratch = Vector::Zero(displacement.size());
+    result_.ofMesh.back().reserve(std::size_t(mesh.elements()));
     for (int e = 0; e < mesh.elements(); ++e) {
-      BoundElement<D> element;
-      const std::vector<int> nodes = orderedNodes(mesh, e, element);
+      result_.ofMesh.back().push_back(static_cast<int>(result_.elements.size()));
+      BoundElement<D>& element = result_.elements.emplace_back();
+      const Ordered nodes = orderedNodes(mesh, e, element);
+      const SimplexField<D> field(element.places);
       const Law<D>& law = lawOf(mesh, e);
       element.compliance = law.compliance;
-      addForces(mesh, e, nodes, balanced, initial, element);
-      addLoads(mesh, e, nodes, loads, scratch, element);
-      addStresses(e, nodes, displacement, initial, law, element);
+      addStresses(e, nodes, displacement, initial, law, field, element);
+      if (!law.isFull || !nodes.isStraight || mesh.axisymmetric || initial.isIn(e))
+        addForces(mesh, e, nodes, balanced, initial, law, element);
+      else if (corrected)
+        element.forces = field.forces(law.stiffness * field.strains(nodal(balanced, nodes), result_.degree), result_.degree);
+      else
+        element.forces = field.forces(element.stresses, result_.degree);
+      addLoads(mesh, e, nodes, loads, scratch, field.volume(), element);
       element.boundary.fill(-1);
       for (int a = 0; a <= D; ++a) {
-        const int side = sideOpposite(mesh, e, nodes[a]);
+        const int side = sideOpposite(mesh.cells[e], nodes.local[a]);
         if (!conditions.isInner(e, side)) element.boundary[a] = addBoundary(conditions, {m, e, a}, side, nodes);
       }
-      result_.ofMesh.back().push_back(static_cast<int>(result_.elements.size()));
-      result_.elements.push_back(element);
     }
   }
 
   /// \param nodes  of the simplex
-  int addBoundary(const SideConditions<D>& conditions, const PlaceOfSide& place, int side, const std::vector<int>& nodes) {
+  int addBoundary(const SideConditions<D>& conditions, const PlaceOfSide& place, int side, const Ordered& nodes) {
     std::vector<int> onSide;
-    for (int j = 0; j < Nodes::sideNodes(result_.degree); ++j) onSide.push_back(nodes[Nodes::ofSide(place.opposite, j)]);
+    for (int j = 0; j < Nodes::sideNodes(result_.degree); ++j) onSide.push_back(nodes.node[Nodes::ofSide(place.opposite, j)]);
     const int number = static_cast<int>(result_.boundary.size());
     for (const int i : conditions.contactsOnA(place.element, side)) result_.onA[i].push_back(number);
     for (const int i : conditions.contactsOnB(place.element, side)) result_.onB[i].push_back(number);
@@ -128,11 +131,11 @@ class Collector {
     return number;
   }
 
-  static int sideOpposite(const SubdomainMesh& mesh, int e, int node) {
-    const Span<const int> nodes = mesh.nodesOf(e);
-    const auto& sides = cellInfo(mesh.cells[e]).sideNodes;
+  /// Number of the side opposite to a vertex, by its number in the element.
+  static int sideOpposite(Cell cell, int local) {
+    const auto& sides = cellInfo(cell).sideNodes;
     for (std::size_t s = 0; s < sides.size(); ++s)
-      if (std::none_of(sides[s].begin(), sides[s].end(), [&](int local) { return nodes[local] == node; })) return int(s);
+      if (std::find(sides[s].begin(), sides[s].end(), local) == sides[s].end()) return int(s);
     throw InternalError("a simplex without a side opposite to a vertex");
   }
 
@@ -141,55 +144,60 @@ class Collector {
     if (!mesh.coatings.empty()) result_.reasons.insert("contacts are softened");
   }
 
-  /// Local nodes of an element in the order of SimplexNodes.
-  std::vector<int> orderedNodes(const SubdomainMesh& mesh, int e, BoundElement<D>& element) {
+  Ordered orderedNodes(const SubdomainMesh& mesh, int e, BoundElement<D>& element) {
     const Span<const int> all = mesh.nodesOf(e);
-    const CellInfo& cell = cellInfo(mesh.cells[e]);
-    std::vector<int> nodes(all.begin(), all.begin() + D + 1);
-    std::sort(nodes.begin(), nodes.end());  // ascending also in the numbers of the mesh
+    Ordered nodes;
+    for (int i = 0; i <= D; ++i) nodes.local[i] = i;
+    // Ascending also in the numbers of the mesh.
+    std::sort(nodes.local.begin(), nodes.local.begin() + D + 1, [&](int a, int b) { return all[a] < all[b]; });
     for (int i = 0; i <= D; ++i) {
-      element.vertices[i] = mesh.globalNodes[nodes[i]];
-      const Point p = mesh.point(nodes[i]);
+      nodes.node[i] = all[nodes.local[i]];
+      element.vertices[i] = mesh.globalNodes[nodes.node[i]];
+      const Point p = mesh.point(nodes.node[i]);
       for (int k = 0; k < D; ++k) element.places(k, i) = p[k];
     }
-    if (cell.order == 1) return nodes;
-    for (int edge = 0; edge < Nodes::edges; ++edge) {
-      const int a = nodes[Nodes::ends[edge][0]], b = nodes[Nodes::ends[edge][1]];
-      for (std::size_t i = 0; i < cell.edges.size(); ++i) {
-        const int c = all[cell.edges[i][0]], d = all[cell.edges[i][1]];
-        if ((a == c && b == d) || (a == d && b == c)) nodes.push_back(all[cell.vertices + i]);
-      }
-      const Point middle = scaled(0.5, plus(mesh.point(a), mesh.point(b)));
-      if (norm(minus(mesh.point(nodes.back()), middle)) > kStraightSide * norm(minus(mesh.point(a), mesh.point(b))))
-        result_.reasons.insert("elements have curved sides");
-    }
+    if (result_.degree == 2) addMiddles(mesh, e, nodes);
     return nodes;
+  }
+
+  void addMiddles(const SubdomainMesh& mesh, int e, Ordered& nodes) {
+    const Span<const int> all = mesh.nodesOf(e);
+    const CellInfo& cell = cellInfo(mesh.cells[e]);
+    for (int edge = 0; edge < Nodes::edges; ++edge) {
+      const int a = nodes.local[Nodes::ends[edge][0]], b = nodes.local[Nodes::ends[edge][1]];
+      int i = 0;
+      while (cell.edges[i] != std::array<int, 2>{a, b} && cell.edges[i] != std::array<int, 2>{b, a}) ++i;
+      nodes.local[nodes.count] = cell.vertices + i;
+      const int middle = nodes.node[nodes.count++] = all[cell.vertices + i];
+      const Point first = mesh.point(all[a]), second = mesh.point(all[b]);
+      const double off = norm(minus(mesh.point(middle), scaled(0.5, plus(first, second)))), length = norm(minus(first, second));
+      if (off > kStraightSide * length) result_.reasons.insert("elements have curved sides");
+      nodes.isStraight = nodes.isStraight && off <= kExactlyStraight * length;
+    }
   }
 
   const Law<D>& lawOf(const SubdomainMesh& mesh, int e) {
     const Material& material = solution_.model.materialOf(mesh, e, mesh.body);
+    if (&material == lastMaterial_) return *lastLaw_;
     auto& law = laws_[&material];
     if (material.element == ElementForm::Mixed)
       result_.reasons.insert("elements have a separate pressure (Mixed), which differs from that of their displacements");
     if (!law) law = std::make_unique<Law<D>>(material, solution_.model.plane);
+    lastMaterial_ = &material;
+    lastLaw_ = law.get();
     return *law;
   }
 
-  void addForces(const SubdomainMesh& mesh, int e, const std::vector<int>& nodes, const Vector& u, const InitialState& initial,
+  /// Forces by the quadrature of the stiffness, for every form and geometry of the elements.
+  void addForces(const SubdomainMesh& mesh, int e, const Ordered& nodes, const Vector& u, const InitialState& initial, const Law<D>& law,
                  BoundElement<D>& element) {
     element.forces.setZero();
-    const Material& material = solution_.model.materialOf(mesh, e, mesh.body);
-    const HookesLaw<D> law(material, solution_.model.plane);
     const ReferenceElement& reference = stiffnessElement(mesh, e);
-    ElementStress<D> stress(mesh, e, reference, law, u, initial);
-    const Span<const int> all = mesh.nodesOf(e);
+    ElementStress<D> stress(mesh, e, reference, law.ofElements, u, initial);
     for (int q = 0; q < reference.points; ++q) {
       stress.at(q);
       const StressVector<D> s = stress.map().measure() * stress.stress();
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const int a = int(std::find(all.begin(), all.end(), nodes[i]) - all.begin());
-        element.forces.col(int(i)) += forceOfStress<D>(stress.map().gradient(a), s);
-      }
+      for (int i = 0; i < nodes.count; ++i) element.forces.col(i) += forceOfStress<D>(stress.map().gradient(nodes.local[i]), s);
     }
   }
 
@@ -216,15 +224,15 @@ class Collector {
     return sum;
   }
 
-  void addLoads(const SubdomainMesh& mesh, int e, const std::vector<int>& nodes, const std::vector<const Load*>& loads, Vector& scratch,
-                BoundElement<D>& element) {
+  void addLoads(const SubdomainMesh& mesh, int e, const Ordered& nodes, const std::vector<const Load*>& loads, Vector& scratch,
+                double volume, BoundElement<D>& element) {
     element.sources.setZero();
     if (loads.empty()) return;
     const auto density = [&](int i) { return solution_.model.materialOf(mesh, i, mesh.body).density.value_or(0.0); };
     for (const Load* load : loads) addBodyForce(mesh, {e}, *load, scratch, density);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      element.forces.col(int(i)) -= scratch.template segment<D>(D * Eigen::Index(nodes[i]));
-      scratch.template segment<D>(D * Eigen::Index(nodes[i])).setZero();
+    for (int i = 0; i < nodes.count; ++i) {
+      element.forces.col(i) -= scratch.template segment<D>(D * Eigen::Index(nodes.node[i]));
+      scratch.template segment<D>(D * Eigen::Index(nodes.node[i])).setZero();
     }
     const Place centre = element.places.rowwise().mean();
     const Place middle = bodyForce(mesh, e, loads, centre);
@@ -248,17 +256,21 @@ class Collector {
     // |f - f_h| h / pi (Poincare's inequality on a convex element) over the square root of the smallest stiffness.
     const double h = (element.places.rowwise().maxCoeff() - element.places.rowwise().minCoeff()).norm();
     const double soft = 1.0 / element.compliance.diagonal().maxCoeff();
-    result_.oscillation += volume(element) * deviation * deviation * h * h / (9.87 * soft);
+    result_.oscillation += volume * deviation * deviation * h * h / (9.87 * soft);
   }
 
-  void addStresses(int e, const std::vector<int>& nodes, const Vector& u, const InitialState& initial, const Law<D>& law,
-                   BoundElement<D>& element) {
-    Eigen::Matrix<double, D, (D == 2 ? 6 : 10)> nodal;
-    nodal.setZero();
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      nodal.col(int(i)) = (u.template segment<D>(D * Eigen::Index(nodes[i])) - u.template segment<D>(D * Eigen::Index(nodes[0]))).eval();
-    element.stresses = law.stiffness * strains(element, nodal, result_.degree);
-    result_.solutionNorm += energyOf<D>(element, element.stresses);
+  /// Displacements relative to the first node.
+  static typename SimplexField<D>::Nodal nodal(const Vector& u, const Ordered& nodes) {
+    typename SimplexField<D>::Nodal all = SimplexField<D>::Nodal::Zero();
+    for (int i = 1; i < nodes.count; ++i)
+      all.col(i) = u.template segment<D>(D * Eigen::Index(nodes.node[i])) - u.template segment<D>(D * Eigen::Index(nodes.node[0]));
+    return all;
+  }
+
+  void addStresses(int e, const Ordered& nodes, const Vector& u, const InitialState& initial, const Law<D>& law,
+                   const SimplexField<D>& field, BoundElement<D>& element) {
+    element.stresses = law.stiffness * field.strains(nodal(u, nodes), result_.degree);
+    result_.solutionNorm += field.energy(element.stresses, element.compliance);
     if (!initial.isIn(e)) return;
     const auto c = componentsOf<D>();
     for (int q = 0; q <= D; ++q) {
@@ -271,37 +283,12 @@ class Collector {
     }
   }
 
- public:
-  /// Strains at the vertices of a simplex, with engineering shear.
-  static Eigen::Matrix<double, n, D + 1> strains(const BoundElement<D>& element, const Eigen::Matrix<double, D, (D == 2 ? 6 : 10)>& nodal,
-                                                 int degree) {
-    Eigen::Matrix<double, D, D> map;
-    for (int i = 0; i < D; ++i) map.col(i) = element.places.col(i + 1) - element.places.col(0);
-    Eigen::Matrix<double, D + 1, D> gradients;
-    gradients.template bottomRows<D>() = map.inverse();
-    gradients.row(0) = -gradients.template bottomRows<D>().colwise().sum();
-    Eigen::Matrix<double, n, D + 1> all;
-    for (int q = 0; q <= D; ++q) {
-      Eigen::Matrix<double, D, D> slope = Eigen::Matrix<double, D, D>::Zero();  // du_i / dx_j
-      for (int i = 0; i <= D; ++i) slope += (degree == 1 ? 1.0 : (i == q ? 3.0 : -1.0)) * nodal.col(i) * gradients.row(i);
-      if (degree == 2)
-        for (int edge = 0; edge < Nodes::edges; ++edge)
-          for (int side = 0; side < 2; ++side)
-            if (Nodes::ends[edge][side] == q) slope += 4.0 * nodal.col(D + 1 + edge) * gradients.row(Nodes::ends[edge][1 - side]);
-      if constexpr (D == 2)
-        all.col(q) << slope(0, 0), slope(1, 1), slope(0, 1) + slope(1, 0);
-      else
-        all.col(q) << slope(0, 0), slope(1, 1), slope(2, 2), slope(0, 1) + slope(1, 0), slope(1, 2) + slope(2, 1),
-            slope(0, 2) + slope(2, 0);
-    }
-    return all;
-  }
-
- private:
   const BoundedSolution& solution_;
   const BoundaryParts& parts_;
   BoundParts<D> result_;
   std::map<const Material*, std::unique_ptr<Law<D>>> laws_;
+  const Material* lastMaterial_ = nullptr;
+  const Law<D>* lastLaw_ = nullptr;
 };
 
 }  // namespace
@@ -339,8 +326,7 @@ Vector liftEnergies(const BoundParts<D>& parts, const BoundedSolution& solution,
       const Span<const int> all = mesh.nodesOf(e);
       const CellInfo& cell = cellInfo(mesh.cells[e]);
       const BoundElement<D>& element = parts.elements[parts.ofMesh[m][e]];
-      Eigen::Matrix<double, D, (D == 2 ? 6 : 10)> nodal;
-      nodal.setZero();
+      typename SimplexField<D>::Nodal nodal = SimplexField<D>::Nodal::Zero();
       const auto place = [&](int node) {
         const GlobalId id = mesh.globalNodes[node];
         return int(std::find(element.vertices.begin(), element.vertices.end(), id) - element.vertices.begin());
@@ -360,9 +346,9 @@ Vector liftEnergies(const BoundParts<D>& parts, const BoundedSolution& solution,
       }
       if (nodal.isZero(0.0)) continue;
       const Law<D> law(solution.model.materialOf(mesh, e, mesh.body), solution.model.plane);
-      const Eigen::Matrix<double, BoundElement<D>::stress, D + 1> change =
-          law.stiffness * Collector<D>::strains(element, nodal, parts.degree);
-      energies[parts.ofMesh[m][e]] = energyOf<D>(element, change);
+      const SimplexField<D> field(element.places);
+      const typename SimplexField<D>::AtVertices change = law.stiffness * field.strains(nodal, parts.degree);
+      energies[parts.ofMesh[m][e]] = field.energy(change, element.compliance);
     }
   }
   return energies;

@@ -1,5 +1,6 @@
 #include <Eigen/QR>
 #include <suture/answer/bound/EquilibratedTractions.hpp>
+#include <suture/answer/bound/PlanarStar.hpp>
 #include <suture/answer/bound/PressedSides.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
@@ -192,92 +193,100 @@ Eigen::Matrix<double, D, D> tensor(const Eigen::Matrix<double, BoundElement<D>::
   return t;
 }
 
-/// Tractions of the elements' stresses, averaged over the simplices of a side; the given ones at the boundary.
-template <int D>
-Matrix averagedTractions(const StarMesh<D>& mesh) {
-  const int count = SimplexNodes<D>::sideNodes(mesh.degree());
-  Matrix values = Matrix::Zero(D * count, mesh.sides());
-  std::vector<int> adds(mesh.sides(), 0);
-  for (int e = 0; e < mesh.elements(); ++e)
-    for (int a = 0; a <= D; ++a) {
-      const int s = mesh.sidesOfElement(e)[a];
-      ++adds[s];
-      const auto at = [&](int vertex) -> Eigen::Matrix<double, D, 1> {
-        return tensor<D>(mesh.element(e).stresses.col(vertex)) * mesh.normal(s);
-      };
-      for (int j = 0; j < count; ++j) {
-        Eigen::Matrix<double, D, 1> traction;
-        const int node = SimplexNodes<D>::ofSide(a, j);
-        if (node <= D) {
-          traction = at(node);
-        } else {
-          const auto& ends = SimplexNodes<D>::ends[node - D - 1];
-          traction = 0.5 * (at(ends[0]) + at(ends[1]));
-        }
-        values.col(s).template segment<D>(D * j) += traction;
+/// Replaces the given components of the tractions at the boundary. \param sign  +1 if the side's normal is the outward one, else -1
+template <int D, int count>
+void setGiven(const SideCondition<D>& boundary, double sign, Eigen::Matrix<double, D, count>& values) {
+  for (int j = 0; j < count; ++j)
+    for (int k = 0; k < D; ++k)
+      if (boundary.known >> k & 1u) {
+        const Eigen::Matrix<double, D, 1> axis = boundary.axes.row(k).transpose();
+        values.col(j) += axis * (sign * axis.dot(boundary.traction.col(j)) - axis.dot(values.col(j)));
       }
-    }
-  for (int s = 0; s < mesh.sides(); ++s) {
-    values.col(s) /= adds[s];
-    const SideCondition<D>* boundary = mesh.boundaryOf(s);
-    if (!boundary) continue;
-    const int e = mesh.elementsOfSide(s)[0];
-    double sign = 1.0;
-    for (int a = 0; a <= D; ++a)
-      if (mesh.sidesOfElement(e)[a] == s) sign = mesh.sign(e, a);
-    for (int j = 0; j < count; ++j)
-      for (int k = 0; k < D; ++k)
-        if (boundary->known >> k & 1u) {
-          const Eigen::Matrix<double, D, 1> axis = boundary->axes.row(k).transpose();
-          auto value = values.col(s).template segment<D>(D * j);
-          value += axis * (sign * axis.dot(boundary->traction.col(j)) - axis.dot(value));
-        }
-  }
-  return values;
 }
 
-}  // namespace
-
-template <int D>
-EquilibratedTractions<D> equilibratedTractions(const StarMesh<D>& mesh) {
-  using Nodes = SimplexNodes<D>;
-  const int degree = mesh.degree(), count = Nodes::sideNodes(degree);
-  const Matrix& mass = sideMass(D, degree);
-  EquilibratedTractions<D> result;
-  Matrix moments = averagedTractions(mesh);
-  const auto multiply = [&](Matrix& values, const Matrix& factor, bool divides) {
-    for (int s = 0; s < mesh.sides(); ++s) {
-      Eigen::Map<Eigen::Matrix<double, D, Eigen::Dynamic>> own(values.col(s).data(), D, count);
-      own = (own * factor * (divides ? 1.0 / mesh.size(s) : mesh.size(s))).eval();
+/// Moments, with the functions of the sides' nodes, of the tractions of the elements' stresses, averaged over the simplices of a side;
+/// those of the given tractions at the boundary. \tparam count  nodes of a side
+template <int D, int count>
+Matrix averagedMoments(const StarMesh<D>& mesh) {
+  using Tractions = Eigen::Matrix<double, D, count>;
+  const Eigen::Matrix<double, count, count> mass = sideMass(D, mesh.degree());
+  Matrix moments(D * count, mesh.sides());
+  for (int s = 0; s < mesh.sides(); ++s) {
+    const auto& both = mesh.elementsOfSide(s);
+    Tractions values = Tractions::Zero();
+    double sign = 1.0;
+    for (int i = 0; i < 2 && both[i] >= 0; ++i) {
+      const BoundElement<D>& element = mesh.element(both[i]);
+      const auto& sides = mesh.sidesOfElement(both[i]);
+      const int a = int(std::find(sides.begin(), sides.end(), s) - sides.begin());
+      if (i == 0) sign = mesh.sign(both[i], a);
+      Eigen::Matrix<double, D, D + 1> at;
+      for (int v = 0; v <= D; ++v) at.col(v) = tensor<D>(element.stresses.col(v)) * mesh.normal(s);
+      for (int j = 0; j < count; ++j) {
+        const int node = SimplexNodes<D>::ofSide(a, j);
+        if (node <= D) {
+          values.col(j) += at.col(node);
+        } else {
+          const auto& ends = SimplexNodes<D>::ends[node - D - 1];
+          values.col(j) += 0.5 * (at.col(ends[0]) + at.col(ends[1]));
+        }
+      }
     }
+    if (both[1] >= 0) values *= 0.5;
+    if (const SideCondition<D>* boundary = mesh.boundaryOf(s)) setGiven<D, count>(*boundary, sign, values);
+    Eigen::Map<Tractions>(moments.col(s).data()).noalias() = mesh.size(s) * (values * mass);
+  }
+  return moments;
+}
+
+template <int D, int count>
+void toTractions(const StarMesh<D>& mesh, Matrix& moments) {
+  using Tractions = Eigen::Matrix<double, D, count>;
+  const Eigen::Matrix<double, count, count> inverse = sideMass(D, mesh.degree()).inverse();
+  for (int s = 0; s < mesh.sides(); ++s) {
+    Eigen::Map<Tractions> own(moments.col(s).data());
+    own = (own * inverse / mesh.size(s)).eval();
+  }
+}
+
+/// Force at a node that no tractions balance.
+struct RestAtNode {
+  double size;
+  int vertex;
+};
+
+/// Balances the moments of all nodes of own simplices. Returns the rests of those that count on this rank.
+template <int D>
+std::vector<RestAtNode> balance(const StarMesh<D>& mesh, Matrix& moments) {
+  std::vector<RestAtNode> rests;
+  const auto note = [&](double rest, int vertex, bool counts) {
+    if (counts && rest > 0.0) rests.push_back({rest, vertex});
   };
-  multiply(moments, mass, false);
-  double worst = 0.0, largest = 0.0;
-  std::vector<std::pair<double, Point>> rests;
-  const auto finish = [&](NodeStar<D>& star, const Point& place, bool isCounted) {
-    const double rest = star.balance();
-    if (isCounted && rest > 0.0) rests.push_back({rest, place});
+  NodeStar<D> star(mesh, moments);
+  const auto balanceVertex = [&](int v) {
+    star.clear();
+    for (const int e : mesh.star(v))
+      star.add(e, int(std::find(mesh.verticesOf(e).begin(), mesh.verticesOf(e).end(), v) - mesh.verticesOf(e).begin()));
+    return star.balance();
   };
-  collectively(mesh.comm(), "balancing tractions", [&] {
-    for (int e = 0; e < mesh.own(); ++e)
-      largest = std::max(largest, mesh.element(e).forces.leftCols(Nodes::nodes(degree)).cwiseAbs().maxCoeff());
-    NodeStar<D> star(mesh, moments);
-    const auto placeOf = [&](int v) {
-      Point p{0, 0, 0};
-      for (int k = 0; k < D; ++k) p[k] = mesh.place(v)[k];
-      return p;
-    };
+  if constexpr (D == 2) {
+    PlanarStar planar(mesh, moments);
     for (int v = 0; v < mesh.vertices(); ++v) {
       if (!mesh.isComplete(v)) continue;
-      star.clear();
-      for (const int e : mesh.star(v))
-        star.add(e, int(std::find(mesh.verticesOf(e).begin(), mesh.verticesOf(e).end(), v) - mesh.verticesOf(e).begin()));
-      finish(star, placeOf(v), mesh.counts(v));
+      const double rest = planar.balanceVertex(v);
+      note(rest < 0.0 ? balanceVertex(v) : rest, v, mesh.counts(v));
     }
-    if (degree == 1) return;
+    if (mesh.degree() == 1) return rests;
+    for (int s = 0; s < mesh.sides(); ++s)
+      if (mesh.elementsOfSide(s)[0] < mesh.own()) note(planar.balanceMiddle(s), mesh.verticesOfSide(s)[0], mesh.countsSide(s));
+  } else {
+    for (int v = 0; v < mesh.vertices(); ++v)
+      if (mesh.isComplete(v)) note(balanceVertex(v), v, mesh.counts(v));
+    if (mesh.degree() == 1) return rests;
+    std::vector<std::pair<int, int>> edges;      // other end, simplex
     for (int v = 0; v < mesh.vertices(); ++v) {  // edges from v to higher vertices
       if (!mesh.isComplete(v)) continue;
-      std::vector<std::pair<int, int>> edges;  // other end, simplex
+      edges.clear();
       for (const int e : mesh.star(v))
         for (const int w : mesh.verticesOf(e))
           if (w > v) edges.push_back({w, e});
@@ -292,19 +301,39 @@ EquilibratedTractions<D> equilibratedTractions(const StarMesh<D>& mesh) {
           const auto& all = mesh.verticesOf(e);
           const int a = int(std::find(all.begin(), all.end(), v) - all.begin()),
                     b = int(std::find(all.begin(), all.end(), w) - all.begin());
-          star.add(e, D + 1 + Nodes::edge(a, b));
+          star.add(e, D + 1 + SimplexNodes<D>::edge(a, b));
         }
-        if (own) finish(star, placeOf(v), mesh.counts(v));
+        if (own) note(star.balance(), v, mesh.counts(v));
       }
     }
+  }
+  return rests;
+}
+
+}  // namespace
+
+template <int D>
+EquilibratedTractions<D> equilibratedTractions(const StarMesh<D>& mesh) {
+  constexpr int linear = SimplexNodes<D>::sideNodes(1), quadratic = SimplexNodes<D>::sideNodes(2);
+  const int nodes = SimplexNodes<D>::nodes(mesh.degree());
+  EquilibratedTractions<D> result;
+  double largest = 0.0;
+  std::vector<RestAtNode> rests;
+  collectively(mesh.comm(), "balancing tractions", [&] {
+    for (int e = 0; e < mesh.own(); ++e) largest = std::max(largest, mesh.element(e).forces.leftCols(nodes).cwiseAbs().maxCoeff());
+    result.values = mesh.degree() == 1 ? averagedMoments<D, linear>(mesh) : averagedMoments<D, quadratic>(mesh);
+    rests = balance(mesh, result.values);
   });
   const double mine = largest;
   Teuchos::reduceAll(mesh.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  double worst = 0.0;
   int unbalanced = 0;
   Point place{0, 0, 0};
-  for (const auto& [rest, at] : rests) {
-    if (rest > kUnbalanced * largest) ++unbalanced;
-    if (rest > worst) worst = rest, place = at;
+  for (const RestAtNode& rest : rests) {
+    if (rest.size > kUnbalanced * largest) ++unbalanced;
+    if (rest.size <= worst) continue;
+    worst = rest.size;
+    for (int k = 0; k < D; ++k) place[k] = mesh.place(rest.vertex)[k];
   }
   std::vector<double> all = joinEverywhere(mesh.comm(), std::vector<double>{worst, double(unbalanced), place[0], place[1], place[2]});
   for (std::size_t i = 0; i < all.size(); i += 5) {
@@ -312,8 +341,10 @@ EquilibratedTractions<D> equilibratedTractions(const StarMesh<D>& mesh) {
     if (largest > 0.0 && all[i] / largest > result.rest)
       result.rest = all[i] / largest, result.worst = {all[i + 2], all[i + 3], all[i + 4]};
   }
-  multiply(moments, mass.inverse(), true);
-  result.values = std::move(moments);
+  if (mesh.degree() == 1)
+    toTractions<D, linear>(mesh, result.values);
+  else
+    toTractions<D, quadratic>(mesh, result.values);
   mesh.exchangeSides(result.values);
   return result;
 }

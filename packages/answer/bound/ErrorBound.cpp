@@ -75,7 +75,7 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   collectively(comm, "bounding the error", [&] { lifted = liftEnergies<D>(parts, solution, contact.lifts); });
   if (!carryRestForces(comm, solution, contact.rests, parts))
     parts.reasons.insert("contact pressures balance the nodal forces only on the average");
-  const StarMesh<D> mesh(comm, solution.meshes, degree, parts.elements, parts.ofMesh, parts.boundary);
+  const StarMesh<D> mesh(comm, solution.meshes, degree, std::move(parts.elements), parts.ofMesh, std::move(parts.boundary));
   const EquilibratedTractions<D> tractions = equilibratedTractions(mesh);
   if (tractions.unbalanced > 0) {
     parts.reasons.insert("forces at " + std::to_string(tractions.unbalanced) + (tractions.unbalanced == 1 ? " node are" : " nodes are") +

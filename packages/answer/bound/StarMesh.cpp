@@ -15,6 +15,9 @@ namespace suture {
 
 namespace {
 
+// Numbers of nodes per vertex of an element up to which a table of all of them is faster than sorting.
+constexpr GlobalId kDense = 4;
+
 /// Plain values with Eigen members, which are not trivially copyable for the compiler.
 template <typename T>
 void putBytes(Packer& packer, const T& value) {
@@ -47,6 +50,29 @@ std::map<int, std::vector<int>> elementsForRanks(const Comm& comm, const std::ve
   for (const int rank : neighbours)
     if (rank != comm.getRank()) all[rank];
   return all;
+}
+
+/// Number of each id among the different ids, in ascending order. \param different  how many
+std::vector<int> ranksOf(const std::vector<GlobalId>& ids, int& different) {
+  std::vector<int> numbers(ids.size());
+  different = 0;
+  if (ids.empty()) return numbers;
+  const auto [least, most] = std::minmax_element(ids.begin(), ids.end());
+  const GlobalId first = *least, range = *most - first + 1;
+  if (range <= kDense * GlobalId(ids.size())) {
+    std::vector<int> table(static_cast<std::size_t>(range), -1);
+    for (const GlobalId id : ids) table[static_cast<std::size_t>(id - first)] = 0;
+    for (int& entry : table)
+      if (entry == 0) entry = different++;
+    for (std::size_t i = 0; i < ids.size(); ++i) numbers[i] = table[static_cast<std::size_t>(ids[i] - first)];
+    return numbers;
+  }
+  std::vector<GlobalId> sorted = ids;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  different = static_cast<int>(sorted.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) numbers[i] = int(std::lower_bound(sorted.begin(), sorted.end(), ids[i]) - sorted.begin());
+  return numbers;
 }
 
 }  // namespace
@@ -96,25 +122,26 @@ StarMesh<D>::StarMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes
 
 template <int D>
 void StarMesh<D>::number() {
-  for (const BoundElement<D>& element : elements_) ids_.insert(ids_.end(), element.vertices.begin(), element.vertices.end());
-  std::sort(ids_.begin(), ids_.end());
-  ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
-  std::unordered_map<GlobalId, int> numberOf;
-  numberOf.reserve(ids_.size());
-  for (std::size_t v = 0; v < ids_.size(); ++v) numberOf[ids_[v]] = static_cast<int>(v);
-  places_.resize(D, static_cast<Eigen::Index>(ids_.size()));
+  std::vector<GlobalId> all;
+  all.reserve(elements_.size() * (D + 1));
+  for (const BoundElement<D>& element : elements_) all.insert(all.end(), element.vertices.begin(), element.vertices.end());
+  const std::vector<int> numbers = ranksOf(all, vertexCount_);
+  places_.resize(D, vertexCount_);
   vertices_.resize(elements_.size());
   for (std::size_t e = 0; e < elements_.size(); ++e)
     for (int i = 0; i <= D; ++i) {
-      vertices_[e][i] = numberOf[elements_[e].vertices[i]];
+      vertices_[e][i] = numbers[e * (D + 1) + i];
       places_.col(vertices_[e][i]) = elements_[e].places.col(i);
     }
 }
 
 template <int D>
 void StarMesh<D>::findSides() {
-  // Sides whose lowest vertex is v: few, and searched one by one.
-  std::vector<std::vector<int>> ofLowest(ids_.size());
+  // Lists of the sides whose lowest vertex is v: few, and searched one by one.
+  std::vector<int> firstOf(std::size_t(vertexCount_), -1), next;
+  const std::size_t expected = elements_.size() * (D + 1) / 2 + elements_.size() / 8;
+  next.reserve(expected), verticesOfSide_.reserve(expected), elementsOfSide_.reserve(expected), boundaryOfSide_.reserve(expected);
+  sizes_.reserve(expected), normals_.reserve(expected);
   sides_.resize(elements_.size());
   signs_.resize(elements_.size());
   for (int e = 0; e < elements(); ++e)
@@ -122,12 +149,12 @@ void StarMesh<D>::findSides() {
       std::array<int, D> key;
       for (int i = 0, j = 0; i <= D; ++i)
         if (i != a) key[j++] = vertices_[e][i];
-      int found = -1;
-      for (const int s : ofLowest[key[0]])
-        if (verticesOfSide_[s] == key) found = s;
+      int found = firstOf[key[0]];
+      while (found >= 0 && verticesOfSide_[found] != key) found = next[found];
       if (found < 0) {
         found = sides();
-        ofLowest[key[0]].push_back(found);
+        next.push_back(firstOf[key[0]]);
+        firstOf[key[0]] = found;
         verticesOfSide_.push_back(key);
         elementsOfSide_.push_back({e, -1});
         boundaryOfSide_.push_back(elements_[e].boundary[a]);
@@ -151,22 +178,22 @@ void StarMesh<D>::findSides() {
 
 template <int D>
 void StarMesh<D>::findStars() {
-  starBegin_.assign(ids_.size() + 1, 0);
+  starBegin_.assign(std::size_t(vertexCount_) + 1, 0);
   for (const auto& element : vertices_)
     for (const int v : element) ++starBegin_[v + 1];
-  for (std::size_t v = 0; v < ids_.size(); ++v) starBegin_[v + 1] += starBegin_[v];
+  for (int v = 0; v < vertexCount_; ++v) starBegin_[v + 1] += starBegin_[v];
   starElements_.resize(starBegin_.back());
   std::vector<int> at(starBegin_.begin(), starBegin_.end() - 1);
   for (int e = 0; e < elements(); ++e)
     for (const int v : vertices_[e]) starElements_[at[v]++] = e;
-  complete_.assign(ids_.size(), 0);
+  complete_.assign(std::size_t(vertexCount_), 0);
   for (int e = 0; e < own_; ++e)
     for (const int v : vertices_[e]) complete_[v] = 1;
 }
 
 template <int D>
 void StarMesh<D>::findOwners() {
-  counts_.assign(ids_.size(), 0);
+  counts_.assign(std::size_t(vertexCount_), 0);
   countsSide_.assign(elementsOfSide_.size(), 0);
   const int me = comm_.getRank();
   for (int v = 0; v < vertices(); ++v) {

@@ -26,7 +26,7 @@ class StarMesh {
   int own() const { return own_; }  ///< the first simplices are those of this rank
   int elements() const { return static_cast<int>(elements_.size()); }
   const BoundElement<D>& element(int e) const { return elements_[e]; }
-  int vertices() const { return static_cast<int>(ids_.size()); }
+  int vertices() const { return vertexCount_; }
   int sides() const { return static_cast<int>(elementsOfSide_.size()); }
   /// Vertices of a simplex, ascending.
   const std::array<int, D + 1>& verticesOf(int e) const { return vertices_[e]; }
@@ -71,7 +71,7 @@ class StarMesh {
   std::vector<int> rankOf_;  // rank of each simplex
   std::vector<SideCondition<D>> boundary_;
   std::map<int, std::vector<int>> sent_, received_;  // simplices, by rank
-  std::vector<GlobalId> ids_;
+  int vertexCount_ = 0;
   Matrix places_;
   std::vector<std::array<int, D + 1>> vertices_, sides_;
   std::vector<std::array<double, D + 1>> signs_;
