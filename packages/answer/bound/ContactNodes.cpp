@@ -47,6 +47,11 @@ std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs) {
     for (int j = 0; j < sideNodes_; ++j) placeOfB[side->nodes[j]] = &side->places[j], movedOfB[side->nodes[j]] = &side->moved[j];
   if (a_.empty()) return "no side of it faces another";
   const Point normal = a_.front()->normal, along = pairFrame(normal, 3)[1];
+  const auto isTilted = [](const Sides& sides, const Point& direction) {
+    return std::any_of(sides.begin(), sides.end(),
+                       [&](const TouchingSide* side) { return norm(minus(side->normal, direction)) > kSamePlace; });
+  };
+  if (isTilted(a_, normal) || isTilted(b_, scaled(-1.0, normal))) return "it is curved, or its sides are not parallel";
   std::vector<std::pair<double, GlobalId>> sorted;
   for (const auto& [node, place] : placeOfB) sorted.push_back({dot(*place, along), node});
   std::sort(sorted.begin(), sorted.end());

@@ -17,8 +17,8 @@ namespace suture {
 
 namespace {
 
-// Deviations of normals and sizes of opposite sides that are round-off.
-constexpr double kOpposite = 1e-8;
+// Differences of the normals of a side's nodes that are round-off.
+constexpr double kSameNormal = 1e-8;
 
 /// Normal force of a pair in the balanced field.
 struct BalancedForce {
@@ -105,8 +105,8 @@ class OneContact {
         if (nodes.indexOf(side->nodes[j]) >= 0) own.push_back(nodes.indexOf(side->nodes[j]));
       if (int(own.size()) < sideNodes()) continue;  // its nodes face nothing
       for (std::size_t j = 0; j < own.size(); ++j) {
-        if (norm(minus(nodes.all()[own[j]].normal, side->normal)) > kOpposite)
-          return "its normals are not those of its sides: it is curved, or its gap varies";
+        if (norm(minus(nodes.all()[own[j]].normal, nodes.all()[own[0]].normal)) > kSameNormal)
+          return "its normals vary along its sides: it is curved, or its gap varies";
         sides.places[own[j]] = side->places[j];
       }
       if (!contact_.groupsB.empty()) {
@@ -115,8 +115,6 @@ class OneContact {
         std::sort(key.begin(), key.end());
         const auto found = opposite.find(key);
         if (found == opposite.end()) return "its sides do not match";
-        if (norm(plus(found->second->normal, side->normal)) > kOpposite || std::abs(found->second->size / side->size - 1) > kOpposite)
-          return "its sides are not parallel";
         others.push_back(found->second);
       }
       sides.nodes.insert(sides.nodes.end(), own.begin(), own.end());
@@ -130,14 +128,16 @@ class OneContact {
                     std::vector<SideTraction>& tractions) const {
     for (std::size_t s = 0; s < pressed.size(); ++s) {
       SideTraction own{pressed[s]->rank, pressed[s]->number};
-      for (int j = 0; j < sideNodes(); ++j) own.values[j] = scaled(-pressures.values(j, int(s)), pressed[s]->normal);
+      const Point& normal = nodes.all()[nodes.indexOf(pressed[s]->nodes[0])].normal;
+      for (int j = 0; j < sideNodes(); ++j) own.values[j] = scaled(-pressures.values(j, int(s)), normal);
       tractions.push_back(own);
       if (others.empty()) continue;
       SideTraction other{others[s]->rank, others[s]->number};
+      const double sizes = pressed[s]->size / others[s]->size;  // the sides need not be parallel
       for (int j = 0; j < sideNodes(); ++j) {
         const GlobalId partner = nodes.all()[nodes.indexOf(pressed[s]->nodes[j])].b;
         for (int i = 0; i < sideNodes(); ++i)
-          if (others[s]->nodes[i] == partner) other.values[i] = scaled(-1.0, own.values[j]);
+          if (others[s]->nodes[i] == partner) other.values[i] = scaled(-sizes, own.values[j]);
       }
       tractions.push_back(other);
     }
