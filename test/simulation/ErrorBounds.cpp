@@ -1,8 +1,10 @@
 // Bounds of the error in the energy norm, against exact energies, on any number of ranks: 2 (J(u_h) - J(u)) = |u - u_h|^2.
+#include <Eigen/LU>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/base/Expression.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
+#include <suture/elasticity/OrthotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/simulation/Simulation.hpp>
 
@@ -24,11 +26,12 @@ struct Column {
   std::vector<Contact> contacts{};
   int dimension;
 
-  explicit Column(std::vector<Box> all) : bodies(std::move(all)), dimension(dimensionOf(bodies.front().cell)) {
+  explicit Column(std::vector<Box> all, std::shared_ptr<const MaterialLaw> law = nullptr)
+      : bodies(std::move(all)), dimension(dimensionOf(bodies.front().cell)) {
     model.dimension = dimension;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const std::string& name = bodies[i].name;
-      model.addBody(name, std::make_shared<IsotropicLaw>(IsotropicModuli{kYoung, kPoisson}));
+      model.addBody(name, law ? law : std::make_shared<IsotropicLaw>(IsotropicModuli{kYoung, kPoisson}));
       for (const char* side : {"_left", "_right"}) held.push_back(Condition::bilateral(name + side));
       if (dimension == 3)
         for (const char* side : {"_front", "_back"}) held.push_back(Condition::bilateral(name + side));
@@ -43,10 +46,10 @@ struct Column {
   }
 };
 
-Column single(Cell cell, int cells) {
+Column single(Cell cell, int cells, std::shared_ptr<const MaterialLaw> law = nullptr) {
   Box box{"a", 0, 1, 0, 1, cells, cells, cell};
   box.nz = cells;
-  return Column({box});
+  return Column({box}, std::move(law));
 }
 
 /// Two boxes of height one.
@@ -109,6 +112,40 @@ TEUCHOS_UNIT_TEST(ErrorBounds, ExceedTheError) {
       TEST_COMPARE(bound.energyLower, <=, exact + 1e-9 * std::abs(exact));
       TEST_COMPARE(bound.energyUpper, >=, exact);
       TEST_COMPARE(bound.imbalance, <, 1e-10);
+    }
+}
+
+// Stiff along one axis: a column of timber under its weight, on its end and on its side.
+TEUCHOS_UNIT_TEST(ErrorBounds, ExceedTheErrorOfOrthotropicBodies) {
+  const std::array<double, 3> poisson{0.4, 0.3, 0.35}, shear{7e5, 3e5, 6e5};
+  for (const std::array<double, 3>& young : {std::array<double, 3>{10e6, 8e5, 5e5}, {8e5, 10e6, 5e5}})
+    for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Tetrahedron4}) {
+      const double most = cell == Cell::Tetrahedron4 ? 1.7 : 1.6;
+      Parameters moduli;
+      moduli.set("Young Moduli", Teuchos::Array<double>(young.begin(), young.end()));
+      std::array<double, 3> ratios = poisson;
+      if (young[0] < young[1]) ratios = {0.4 * young[0] / young[1], 0.35, 0.3};  // nu_12 / E_1 = nu_21 / E_2
+      moduli.set("Poisson Ratios", Teuchos::Array<double>(ratios.begin(), ratios.end()));
+      moduli.set("Shear Moduli", Teuchos::Array<double>(shear.begin(), shear.end()));
+      moduli.set("Angle", 0.0);
+      Column column = single(cell, cell == Cell::Tetrahedron4 ? 3 : 6, std::make_shared<OrthotropicLaw>(moduli));
+      column.addWeight();
+      Eigen::Matrix3d compliance;
+      compliance << 1 / young[0], -ratios[0] / young[0], -ratios[2] / young[0],  //
+          -ratios[0] / young[0], 1 / young[1], -ratios[1] / young[1],            //
+          -ratios[2] / young[0], -ratios[1] / young[1], 1 / young[2];
+      const int up = column.dimension - 1;
+      const double exact = -kWeight * kWeight / (6 * compliance.inverse()(up, up));
+      double energy = 0.0;
+      const ErrorBound bound = boundOf(column.scene(), &energy);
+      const double error = std::sqrt(std::max(0.0, 2 * (energy - exact)));
+      out << static_cast<int>(cell) << ": error " << error << ", bound " << bound.total << "\n";
+      for (const std::string& reason : bound.reasons) out << reason << "\n";
+      TEST_ASSERT(bound.strict);
+      TEST_COMPARE(bound.total, >=, error * (1 - 1e-9));
+      const double above = cell == Cell::Triangle6 ? 1e-7 * bound.solutionNorm : most * error;
+      TEST_COMPARE(bound.total, <=, above);
+      TEST_COMPARE(bound.energyLower, <=, exact + 1e-9 * std::abs(exact));
     }
 }
 
