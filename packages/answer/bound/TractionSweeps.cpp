@@ -1,4 +1,5 @@
 #include <suture/algebra/Lanes.hpp>
+#include <suture/answer/bound/SmallProducts.hpp>
 #include <suture/answer/bound/StressElement.hpp>
 #include <suture/answer/bound/TractionSweeps.hpp>
 #include <suture/base/Collective.hpp>
@@ -39,18 +40,6 @@ void multiplyRows(const double* packed, int n, const double* x, double* y) {
     for (; k < i; ++k) value += packed[k] * x[k], y[k] += packed[k] * own;
     y[i] = value + ((sum[0] + sum[1]) + (sum[2] + sum[3]));
   }
-}
-
-/// result <- columns from `first` on of the symmetric product, a block of columns at a time: a (rows x inner) times b (inner x columns).
-SUTURE_FOR_EACH_PROCESSOR
-void multiplyBlocks(int rows, int inner, int columns, const double* a, int strideA, const double* b, double* result, int strideResult) {
-  using Many = Register<double>;
-  for (int j = 0; j < columns; ++j)
-    for (int i = 0; i < rows; i += Many::count) {
-      Many::Type sum = {};
-      for (int k = 0; k < inner; ++k) sum += b[k + j * inner] * Many::at(a + i + k * strideA);
-      Many::at(result + i + j * strideResult) = sum;
-    }
 }
 
 }  // namespace
@@ -108,13 +97,15 @@ void TractionSweeps<K>::toBases(int e, Matrix& gram) {
   const int stride = int(gram.rows());
   const auto basis = [&](int a) -> const auto& { return faces_[mesh_.sidesOfElement(e)[a]].basis; };
   for (int a = 0; a < 4; ++a)
-    multiplyBlocks(dofs, count, count, gram.data() + count * a * stride, stride, basis(a).data(), once.data() + count * a * dofs, dofs);
+    multiplySmall(dofs, count, count, gram.data() + count * a * stride, stride, basis(a).data(), count, once.data() + count * a * dofs,
+                  dofs);
   turned = once.transpose();
-  for (int a = 0; a < 4; ++a)
-    multiplyBlocks(dofs, count, count, turned.data() + count * a * dofs, dofs, basis(a).data(), once.data() + count * a * dofs, dofs);
+  for (int a = 0; a < 4; ++a)  // the lower triangle
+    multiplySmall(dofs - count * a, count, count, turned.data() + (count * dofs + count) * a, dofs, basis(a).data(), count,
+                  once.data() + (count * dofs + count) * a, dofs);
   double* next = &grams_[std::size_t(e) * packed];
   for (int i = 0; i < dofs; ++i)
-    for (int j = 0; j <= i; ++j) *next++ = once(j, i);
+    for (int j = 0; j <= i; ++j) *next++ = once(i, j);
 }
 
 template <int K>
