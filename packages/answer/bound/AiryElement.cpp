@@ -1,8 +1,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <suture/algebra/Lanes.hpp>
 #include <suture/answer/bound/AiryElement.hpp>
 #include <suture/answer/bound/AlfeldStresses.hpp>
+#include <suture/answer/bound/SmallProducts.hpp>
 #include <suture/answer/bound/StressElement.hpp>
 
 #include <algorithm>
@@ -34,17 +34,6 @@ AirySide referenceSide(int a) {
   side.normal = Eigen::Vector2d(difference[1], -difference[0]) / side.length;
   side.sign = side.normal.dot(from - vertices[a]) > 0 ? 1.0 : -1.0;
   return side;
-}
-
-/// result = columns x. \param rows  a multiple of 4
-SUTURE_FOR_EACH_PROCESSOR
-void multiplyColumns(int rows, int columns, const double* matrix, const double* x, double* result) {
-  using Many = Register<double>;
-  for (int i = 0; i < rows; i += 4) {
-    Many::Type sum = {};
-    for (int j = 0; j < columns; ++j) sum += x[j] * Many::at(matrix + j * rows + i);
-    Many::at(result + i) = sum;
-  }
 }
 
 }  // namespace
@@ -222,15 +211,15 @@ typename AiryElement<K>::Energy AiryElement<K>::energy(const BoundElement<2>& el
   const Eigen::Matrix3d compliance = 0.5 * (product + product.transpose());
   const Data given = referenceData(element, sides, inverse, volume, tractions);
   Eigen::Matrix<double, paddedRows, 1> stress;
-  multiplyColumns(paddedRows, data, ofData_.data(), given.data(), stress.data());
+  combineColumns(paddedRows, data, ofData_.data(), given.data(), stress.data());
   Eigen::Matrix<double, values, 3> strain;
   const Eigen::Map<const Eigen::Matrix<double, values, 3>> components(stress.data());
   strain.noalias() = components.lazyProduct(compliance);
   Eigen::Matrix<double, paddedColumns, 1> loads;
-  multiplyColumns(paddedColumns, rows, ofUnknowns_.data(), strain.data(), loads.data());
+  combineColumns(paddedColumns, rows, ofUnknowns_.data(), strain.data(), loads.data());
   Eigen::Matrix<double, table, 1> packedEnergies;
   const double pairs[6] = {compliance(0, 0), compliance(0, 1), compliance(1, 1), compliance(0, 2), compliance(1, 2), compliance(2, 2)};
-  multiplyColumns(table, 6, tables_.data(), pairs, packedEnergies.data());
+  combineColumns(table, 6, tables_.data(), pairs, packedEnergies.data());
   Energy result;
   result.start = components.cwiseProduct(strain).sum();
   LocalMatrix onReference, once;

@@ -1,12 +1,12 @@
 #include <Eigen/LU>
-#include <suture/algebra/dense/Decompositions.hpp>
+#include <Eigen/QR>
 #include <suture/answer/bound/AlfeldStresses.hpp>
 
 namespace suture {
 
 namespace {
 
-constexpr double kNoEquation = 1e-9;  // singular values below this fraction of the largest are zero
+constexpr double kNoEquation = 1e-9;  // pivots below this fraction of the largest are zero
 
 /// The linear equations A (stress) = H (data) of the reference simplex, row by row.
 template <int D>
@@ -147,14 +147,15 @@ template <int D>
 AlfeldStresses<D>::AlfeldStresses(int degree) {
   const AlfeldEquations<D> equations(degree);
   const Matrix left = equations.unknowns();
-  const SingularValues decomposed = singularValues(left);
+  Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition;
+  decomposition.setThreshold(kNoEquation);
+  decomposition.compute(left);
   unknowns = int(left.cols());
-  rank = int((decomposed.values.array() > kNoEquation * decomposed.values(0)).count());
+  rank = int(decomposition.rank());
   // For balanced data the equations have solutions; for others this is the least-squares solution.
-  const Matrix coefficients =
-      decomposed.values.head(rank).cwiseInverse().asDiagonal() * (decomposed.u.leftCols(rank).transpose() * equations.data());
-  particular = decomposed.v.leftCols(rank) * coefficients;
-  free = decomposed.v.rightCols(unknowns - rank);
+  particular = decomposition.solve(equations.data());
+  const Matrix directions = decomposition.matrixZ().transpose();
+  free = decomposition.colsPermutation() * directions.rightCols(unknowns - rank);
 }
 
 template struct AlfeldStresses<2>;

@@ -86,7 +86,8 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   Vector squares;
   double imbalance = 0.0;
   if constexpr (D == 3)
-    squares = improved<TractionSweeps>(mesh, tractions.values, sweeps, imbalance);
+    squares = degree == 1 ? improved<TractionSweeps<1>>(mesh, tractions.values, sweeps, imbalance)
+                          : improved<TractionSweeps<2>>(mesh, tractions.values, sweeps, imbalance);
   else
     squares = degree == 1 ? improved<AirySweeps<1>>(mesh, tractions.values, sweeps, imbalance)
                           : improved<AirySweeps<2>>(mesh, tractions.values, sweeps, imbalance);

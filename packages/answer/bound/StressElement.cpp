@@ -1,7 +1,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <suture/answer/bound/SmallProducts.hpp>
 #include <suture/answer/bound/StressElement.hpp>
 #include <suture/base/Errors.hpp>
 
@@ -170,7 +172,7 @@ void StressElement<D>::gram(const Map& map, const Compliance& compliance, Matrix
   const Piola piola(map, compliance);
   const int size = data();
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1> blocks(packed());
-  blocks.noalias() = moments_ * piola.energy;
+  combineColumns(int(packed()), pairs, moments_.data(), piola.energy.data(), blocks.data());
   const double* next = blocks.data();
   result.resize(size, size);
   for (int j = 0; j < size; j += D) {
@@ -182,8 +184,12 @@ void StressElement<D>::gram(const Map& map, const Compliance& compliance, Matrix
     typename FreePart::Coupling rows = Eigen::Map<const Matrix>(next, free(), size);
     const FreePart factorised(Eigen::Map<const Matrix>(next + free() * size, free(), free()));
     factorised.halfSolve(rows);
-    for (int j = 0; j < size; j += D)
-      result.block(j, j, size - j, D).noalias() -= rows.rightCols(size - j).transpose() * rows.template middleCols<D>(j);
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostData, mostFree> turned = rows.transpose();
+    Eigen::Matrix<double, mostData, 12> product;  // some columns from the diagonal downwards
+    for (int j = 0; j < size; j += 12) {
+      multiplySmall(size - j, free(), std::min(12, size - j), turned.data() + j, size, &rows(0, j), free(), product.data(), mostData);
+      result.block(j, j, size - j, std::min(12, size - j)) -= product.topLeftCorner(size - j, std::min(12, size - j));
+    }
   }
   for (int j = 0; j < size; j += D)
     for (int i = j; i < size; i += D) {

@@ -1,5 +1,5 @@
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include <suture/algebra/Lanes.hpp>
+#include <suture/answer/bound/SmallProducts.hpp>
 #include <suture/answer/bound/StressElement.hpp>
 #include <suture/answer/bound/TractionSweeps.hpp>
 #include <suture/base/Collective.hpp>
@@ -9,52 +9,67 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace suture {
 
 namespace {
 
-// Diagonal of R below which equations of equilibrium of a star depend on the others.
-constexpr double kDependentRow = 1e-9;
+// Longest edge over height of tetrahedra whose energies are summed as squares, because products with a Gram matrix lose digits.
+constexpr double kFlatTetrahedron = 30.0;
 
-/// Columns: directions in which the traction of a side may change.
-Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> freeDirections(const StarMesh<3>& mesh, int side) {
-  const SideCondition<3>* boundary = mesh.boundaryOf(side);
-  if (!boundary) return Eigen::Matrix3d::Identity();
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions(3, 0);
-  for (int k = 0; k < 3; ++k)
-    if (!((boundary->known | boundary->kept) >> k & 1u)) {
-      directions.conservativeResize(3, directions.cols() + 1);
-      directions.col(directions.cols() - 1) = boundary->axes.row(k).transpose();
+bool isFlat(const Eigen::Matrix3d& map) {
+  double longest = 0.0;
+  for (int i = 0; i < 3; ++i) longest = std::max({longest, map.col(i).norm(), (map.col(i) - map.col((i + 1) % 3)).norm()});
+  return longest * longest * longest > kFlatTetrahedron * std::abs(map.determinant());
+}
+
+/// y <- A x. \param packed  rows of the lower triangle
+SUTURE_FOR_EACH_PROCESSOR
+void multiplyRows(const double* packed, int n, const double* x, double* y) {
+  using Many = Register<double>;
+  for (int i = 0; i < n; packed += ++i) {
+    const double own = x[i];
+    Many::Type sum = {};
+    double value = packed[i] * own;
+    int k = 0;
+    for (; k + Many::count <= i; k += Many::count) {
+      const Many::Type entries = Many::at(packed + k);
+      sum += entries * Many::at(x + k);
+      Many::at(y + k) += entries * own;
     }
-  return directions;
+    for (; k < i; ++k) value += packed[k] * x[k], y[k] += packed[k] * own;
+    y[i] = value + ((sum[0] + sum[1]) + (sum[2] + sum[3]));
+  }
 }
 
 }  // namespace
 
-TractionSweeps::TractionSweeps(const StarMesh<3>& mesh, const Matrix& tractions)
-    : mesh_(mesh), nodes_(SimplexNodes<3>::sideNodes(mesh.degree())), count_(12 * nodes_) {
+template <int K>
+TractionSweeps<K>::TractionSweeps(const StarMesh<3>& mesh, const Matrix& tractions) : mesh_(mesh) {
   collectively(mesh.comm(), "assembling stresses", [&] {
+    faces_.reserve(std::size_t(mesh.sides()));
+    for (int s = 0; s < mesh.sides(); ++s) faces_.emplace_back(mesh, s);
     assemble(tractions);
-    findStars();
+    stars_.emplace(mesh, faces_);
+    stars_->factor(grams_);
   });
   change_ = Vector::Zero(mesh.own());
 }
 
-void TractionSweeps::assemble(const Matrix& tractions) {
-  const StressElement<3>& stress = StressElement<3>::of(mesh_.degree());
+template <int K>
+void TractionSweeps<K>::assemble(const Matrix& tractions) {
+  const StressElement<3>& stress = StressElement<3>::of(K);
   const int data = stress.data();
-  grams_.resize(std::size_t(mesh_.elements()) * count_ * count_);
-  loads_.resize(count_, mesh_.elements());
+  grams_.resize(std::size_t(mesh_.elements()) * packed);
+  loads_.resize(dofs, mesh_.elements());
   start_ = Vector::Zero(mesh_.own());
   Matrix gram(data, data), resultants(6, data);
   Vector own(data), computed(data), product(data);
   double force = 0.0, rest = 0.0;
   for (int e = 0; e < mesh_.elements(); ++e) {
     const BoundElement<3>& element = mesh_.element(e);
-    for (int a = 0; a < 4; ++a) own.segment(3 * nodes_ * a, 3 * nodes_) = mesh_.sign(e, a) * tractions.col(mesh_.sidesOfElement(e)[a]);
-    for (int j = 0; j < stress.sourceNodes(); ++j) own.segment<3>(count_ + 3 * j) = element.sources.col(j);
+    for (int a = 0; a < 4; ++a) own.segment<count>(count * a) = mesh_.sign(e, a) * tractions.col(mesh_.sidesOfElement(e)[a]);
+    for (int j = 0; j < stress.sourceNodes(); ++j) own.segment<3>(dofs + 3 * j) = element.sources.col(j);
     if (e < mesh_.own()) {
       stress.resultants(element.places, resultants);
       rest = std::max(rest, (resultants * own).cwiseAbs().maxCoeff());
@@ -66,126 +81,56 @@ void TractionSweeps::assemble(const Matrix& tractions) {
     for (int i = 0; i < 3; ++i) map.col(i) = element.places.col(i + 1) - element.places.col(0);
     stress.gram(map, element.compliance, gram);
     product.noalias() = gram * own;
-    Eigen::Map<Matrix>(&grams_[std::size_t(e) * count_ * count_], count_, count_) = gram.topLeftCorner(count_, count_);
-    loads_.col(e) = product.head(count_);
-    if (e < mesh_.own()) start_[e] = stress.energy(map, element.compliance, own);
+    if (e < mesh_.own()) start_[e] = isFlat(map) ? stress.energy(map, element.compliance, own) : own.dot(product);
+    for (int a = 0; a < 4; ++a)
+      loads_.col(e).template segment<count>(count * a) =
+          faces_[mesh_.sidesOfElement(e)[a]].basis.transpose() * product.segment<count>(count * a);
+    toBases(e, gram);
   }
   imbalance_ = force > 0.0 ? rest / force : 0.0;
 }
 
-void TractionSweeps::findStars() {
-  std::map<std::pair<int, int>, Star> all;
-  for (int e = 0; e < mesh_.own(); ++e) {
-    const auto& vertices = mesh_.verticesOf(e);
-    for (int a = 0; a < 4; ++a)
-      for (int b = a + 1; b < 4; ++b) all.try_emplace({vertices[a], vertices[b]});
-  }
-  for (auto& [edge, star] : all) {
-    for (const int e : mesh_.star(edge.first)) {
-      const auto& vertices = mesh_.verticesOf(e);
-      if (std::find(vertices.begin(), vertices.end(), edge.second) == vertices.end()) continue;
-      star.elements.push_back(e);
-      for (int a = 0; a < 4; ++a) {
-        const int s = mesh_.sidesOfElement(e)[a];
-        if (vertices[a] == edge.first || vertices[a] == edge.second) continue;
-        if (std::find(star.sides.begin(), star.sides.end(), s) == star.sides.end()) star.sides.push_back(s);
-      }
-    }
-    stars_.push_back(std::move(star));
-  }
+/// Stores a Gram matrix of nodal tractions in the bases of the faces.
+template <int K>
+void TractionSweeps<K>::toBases(int e, Matrix& gram) {
+  Eigen::Matrix<double, dofs, dofs> once, turned;
+  const int stride = int(gram.rows());
+  const auto basis = [&](int a) -> const auto& { return faces_[mesh_.sidesOfElement(e)[a]].basis; };
+  for (int a = 0; a < 4; ++a)
+    multiplySmall(dofs, count, count, gram.data() + count * a * stride, stride, basis(a).data(), count, once.data() + count * a * dofs,
+                  dofs);
+  turned = once.transpose();
+  for (int a = 0; a < 4; ++a)  // the lower triangle
+    multiplySmall(dofs - count * a, count, count, turned.data() + (count * dofs + count) * a, dofs, basis(a).data(), count,
+                  once.data() + (count * dofs + count) * a, dofs);
+  double* next = &grams_[std::size_t(e) * packed];
+  for (int i = 0; i < dofs; ++i)
+    for (int j = 0; j <= i; ++j) *next++ = once(i, j);
 }
 
-Vector TractionSweeps::gather(const Matrix& field, int e) const {
-  Vector values(count_);
-  for (int a = 0; a < 4; ++a) values.segment(3 * nodes_ * a, 3 * nodes_) = mesh_.sign(e, a) * field.col(mesh_.sidesOfElement(e)[a]);
+template <int K>
+typename TractionSweeps<K>::Local TractionSweeps<K>::gather(const Matrix& field, int e) const {
+  Local values;
+  for (int a = 0; a < 4; ++a)
+    values.template segment<count>(count * a) = mesh_.sign(e, a) * field.col(mesh_.sidesOfElement(e)[a]).template head<count>();
   return values;
 }
 
-void TractionSweeps::scatter(const Vector& values, int e, Matrix& field) const {
-  for (int a = 0; a < 4; ++a) field.col(mesh_.sidesOfElement(e)[a]) += mesh_.sign(e, a) * values.segment(3 * nodes_ * a, 3 * nodes_);
+template <int K>
+void TractionSweeps<K>::scatter(const Local& values, int e, Matrix& field) const {
+  for (int a = 0; a < 4; ++a)
+    field.col(mesh_.sidesOfElement(e)[a]).template head<count>() += mesh_.sign(e, a) * values.template segment<count>(count * a);
 }
 
-Matrix TractionSweeps::product(const Matrix& p) const {
-  Matrix result = Matrix::Zero(p.rows(), p.cols());
-  for (int e = 0; e < mesh_.elements(); ++e) scatter(gram(e) * gather(p, e), e, result);
+template <int K>
+typename TractionSweeps<K>::Local TractionSweeps<K>::product(int e, const Local& x) const {
+  Local result;
+  multiplyRows(&grams_[std::size_t(e) * packed], dofs, x.data(), result.data());
   return result;
 }
 
-Matrix TractionSweeps::precondition(const Matrix& r) const {
-  Matrix z = Matrix::Zero(r.rows(), r.cols());
-  for (const Star& star : stars_) solveStar(star, r, z);
-  return z;
-}
-
-void TractionSweeps::solveStar(const Star& star, const Matrix& r, Matrix& z) const {
-  const StressElement<3>& stress = StressElement<3>::of(mesh_.degree());
-  std::vector<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>> directions;
-  std::vector<int> begin{0};
-  for (const int s : star.sides) {
-    directions.push_back(freeDirections(mesh_, s));
-    begin.push_back(begin.back() + nodes_ * int(directions.back().cols()));
-  }
-  const int n = begin.back(), equations = 6 * int(star.elements.size());
-  if (n == 0) return;
-  Matrix energy = Matrix::Zero(n, n), balance = Matrix::Zero(n, equations), resultants;
-  for (std::size_t i = 0; i < star.elements.size(); ++i) {
-    const int e = star.elements[i];
-    const auto own = gram(e);
-    stress.resultants(mesh_.element(e).places, resultants);
-    int place[4];
-    for (int a = 0; a < 4; ++a) {
-      const auto found = std::find(star.sides.begin(), star.sides.end(), mesh_.sidesOfElement(e)[a]);
-      place[a] = found == star.sides.end() ? -1 : int(found - star.sides.begin());
-    }
-    for (int a = 0; a < 4; ++a) {
-      if (place[a] < 0) continue;
-      const auto& da = directions[place[a]];
-      for (int j = 0; j < nodes_; ++j) {
-        const int row = begin[place[a]] + int(da.cols()) * j, from = 3 * (nodes_ * a + j);
-        balance.block(row, 6 * int(i), da.cols(), 6) = mesh_.sign(e, a) * da.transpose() * resultants.block(0, from, 6, 3).transpose();
-        for (int b = 0; b < 4; ++b) {
-          if (place[b] < 0) continue;
-          const auto& db = directions[place[b]];
-          for (int k = 0; k < nodes_; ++k)
-            energy.block(row, begin[place[b]] + int(db.cols()) * k, da.cols(), db.cols()) +=
-                mesh_.sign(e, a) * mesh_.sign(e, b) * da.transpose() * own.block<3, 3>(from, 3 * (nodes_ * b + k)) * db;
-        }
-      }
-    }
-  }
-  Vector load(n);
-  for (std::size_t i = 0; i < star.sides.size(); ++i)
-    for (int j = 0; j < nodes_; ++j)
-      load.segment(begin[i] + directions[i].cols() * j, directions[i].cols()) =
-          directions[i].transpose() * r.col(star.sides[i]).segment<3>(3 * j);
-  // Unknowns of equal weight, so that the rank does not depend on the size of the sides.
-  const Vector scale = energy.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  balance = scale.asDiagonal() * balance;
-  for (int c = 0; c < equations; ++c) {
-    const double norm = balance.col(c).norm();
-    if (norm > 0.0) balance.col(c) /= norm;
-  }
-  Eigen::ColPivHouseholderQR<Matrix> qr(balance);
-  qr.setThreshold(kDependentRow);
-  const int rank = int(qr.rank()), free = n - rank;
-  if (free == 0) return;
-  Matrix turned = scale.asDiagonal() * energy * scale.asDiagonal();
-  const auto q = qr.householderQ();
-  turned.applyOnTheRight(q);
-  turned.applyOnTheLeft(q.adjoint());
-  Vector x = scale.cwiseProduct(load);
-  x.applyOnTheLeft(q.adjoint());
-  x.head(rank).setZero();
-  const Eigen::LDLT<Matrix> factor(turned.bottomRightCorner(free, free));
-  x.tail(free) = factor.solve(x.tail(free).eval());
-  x.applyOnTheLeft(q);
-  x = scale.cwiseProduct(x);
-  for (std::size_t i = 0; i < star.sides.size(); ++i)
-    for (int j = 0; j < nodes_; ++j)
-      z.col(star.sides[i]).segment<3>(3 * j) += directions[i] * x.segment(begin[i] + directions[i].cols() * j, directions[i].cols());
-}
-
-double TractionSweeps::dot(const Matrix& a, const Matrix& b) const {
+template <int K>
+double TractionSweeps<K>::dot(const Matrix& a, const Matrix& b) const {
   double mine = 0.0, all = 0.0;
   for (int s = 0; s < mesh_.sides(); ++s)
     if (mesh_.countsSide(s)) mine += a.col(s).dot(b.col(s));
@@ -193,30 +138,33 @@ double TractionSweeps::dot(const Matrix& a, const Matrix& b) const {
   return all;
 }
 
-void TractionSweeps::run(int sweeps) {
-  Matrix r = Matrix::Zero(3 * nodes_, mesh_.sides()), p = r, x = r;
+template <int K>
+void TractionSweeps<K>::run(int sweeps) {
+  Matrix r = Matrix::Zero(count, mesh_.sides()), p = r, x = r, z = r, q = r;
   for (int e = 0; e < mesh_.elements(); ++e) scatter(-loads_.col(e), e, r);
   double before = 0.0;
   SweepGain gain(mesh_.comm(), start_.sum(), sweeps);
   while (gain.worthAnotherSweep()) {
-    const int i = gain.sweeps();
-    Matrix z;
-    collectively(mesh_.comm(), "improving stresses", [&] { z = precondition(r); });
+    stars_->apply(r, z);
     const double rz = dot(r, z);
     if (!(rz > 0.0)) break;
-    p = (z + (i == 0 ? 0.0 : rz / before) * p).eval();
+    p = z + (gain.sweeps() == 0 ? 0.0 : rz / before) * p;
     before = rz;
     mesh_.exchangeSides(p);
-    const Matrix q = product(p);
+    q.setZero();
+    for (int e = 0; e < mesh_.elements(); ++e) scatter(product(e, gather(p, e)), e, q);
     const double step = rz / dot(p, q);
     gain.add(step * rz);
     x += step * p;
     r -= step * q;
   }
   for (int e = 0; e < mesh_.own(); ++e) {
-    const Vector own = gather(x, e);
-    change_[e] = 2 * own.dot(loads_.col(e)) + own.dot(gram(e) * own);
+    const Local own = gather(x, e);
+    change_[e] = 2 * own.dot(loads_.col(e)) + own.dot(product(e, own));
   }
 }
+
+template class TractionSweeps<1>;
+template class TractionSweeps<2>;
 
 }  // namespace suture

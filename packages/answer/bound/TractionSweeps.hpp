@@ -1,13 +1,18 @@
 #pragma once
-#include <suture/answer/bound/StarMesh.hpp>
+#include <suture/answer/bound/EdgeStars.hpp>
 #include <suture/answer/bound/SweepGain.hpp>
+
+#include <optional>
+#include <vector>
 
 namespace suture {
 
 /// Improves equilibrated tractions in 3D by conjugate gradients for the least complementary energy. The preconditioner solves exactly on
-/// the star of each edge, over all tractions on the faces at the edge that leave each tetrahedron in equilibrium: every iterate is exactly
-/// in equilibrium (Ainsworth and Oden, A Posteriori Error Estimation, 2000, use such stars of vertices). One ring of tetrahedra; each
-/// iteration exchanges values with neighbours once. Nothing of the stars is stored.
+/// the star of each edge (EdgeStars), over tractions on its faces that leave each tetrahedron in equilibrium: every iterate is exactly in
+/// equilibrium (Ainsworth and Oden, A Posteriori Error Estimation, 2000, use such stars of vertices). One ring of tetrahedra; each
+/// iteration exchanges values with neighbours once.
+/// \tparam K  degree of the stresses, 1 or 2
+template <int K>
 class TractionSweeps {
  public:
   /// \param tractions  EquilibratedTractions::values; all arguments must outlive this
@@ -22,26 +27,24 @@ class TractionSweeps {
   double imbalance() const { return imbalance_; }
 
  private:
-  struct Star {
-    std::vector<int> elements, sides;
-  };
+  using Face = FaceTractions<K>;
+  static constexpr int count = Face::count, dofs = 4 * count, packed = dofs * (dofs + 1) / 2;
+  using Local = Eigen::Matrix<double, dofs, 1>;
+
   void assemble(const Matrix& tractions);
-  void findStars();
-  Vector gather(const Matrix& field, int e) const;
-  void scatter(const Vector& values, int e, Matrix& field) const;
-  Matrix product(const Matrix& p) const;
-  Matrix precondition(const Matrix& r) const;
-  void solveStar(const Star& star, const Matrix& r, Matrix& z) const;
+  void toBases(int e, Matrix& gram);
+  Local gather(const Matrix& field, int e) const;
+  void scatter(const Local& values, int e, Matrix& field) const;
+  Local product(int e, const Local& x) const;
   double dot(const Matrix& a, const Matrix& b) const;
-  Eigen::Map<const Matrix> gram(int e) const { return {&grams_[std::size_t(e) * count_ * count_], count_, count_}; }
 
   const StarMesh<3>& mesh_;
-  int nodes_, count_;          // nodes of a side; tractions of a tetrahedron
-  std::vector<double> grams_;  // Gram matrices of all tetrahedra
-  Matrix loads_;               // G d, count_ x tetrahedra
+  std::vector<Face> faces_;
+  std::vector<double> grams_;  // of all tetrahedra in the bases of their faces, rows of the lower triangles
+  Matrix loads_;               // G d in the same bases, dofs x tetrahedra
   Vector start_, change_;
   double imbalance_ = 0.0;
-  std::vector<Star> stars_;
+  std::optional<EdgeStars<K>> stars_;
 };
 
 }  // namespace suture
