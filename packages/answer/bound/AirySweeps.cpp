@@ -1,5 +1,6 @@
 #include <suture/answer/bound/AirySweeps.hpp>
 #include <suture/answer/bound/StressElement.hpp>
+#include <suture/answer/bound/SupportedSides.hpp>
 #include <suture/base/Collective.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -193,10 +194,12 @@ void AirySweeps<K>::assemble(const Matrix& given) {
     map << element.places.col(1) - element.places.col(0), element.places.col(2) - element.places.col(0);
     stress.gram(map, element.compliance, gram);
     product.noalias() = gram.template selfadjointView<Eigen::Lower>() * difference;
+    const double energy = isFlat(map) ? stress.energy(map, element.compliance, difference) : difference.dot(product);
+    const double ofSupports = addSupports(mesh_, e, own, gram, product);
     weighted.noalias() = gram.topLeftCorner<tractions, tractions>().lazyProduct(change);
     Eigen::Map<LocalMatrix>(&matrices_[std::size_t(e) * dofs * dofs]).noalias() = change.transpose().lazyProduct(weighted);
     loads_.col(e).noalias() = change.transpose() * product.template head<tractions>();
-    if (e < mesh_.own()) start_[e] = isFlat(map) ? stress.energy(map, element.compliance, difference) : difference.dot(product);
+    if (e < mesh_.own()) start_[e] = energy + ofSupports;
   }
   imbalance_ = force > 0.0 ? rest / force : 0.0;
 }

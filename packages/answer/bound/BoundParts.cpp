@@ -1,6 +1,8 @@
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <suture/answer/bound/BoundParts.hpp>
 #include <suture/answer/bound/SideConditions.hpp>
+#include <suture/answer/bound/SupportedSides.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementStress.hpp>
 
@@ -68,6 +70,31 @@ double energyOf(const BoundElement<D>& element, const Eigen::Matrix<double, Boun
   return volume(element) / ((D + 1) * (D + 2)) * squares;
 }
 
+/// Length or area of the side opposite to a vertex.
+template <int D>
+double sideSize(const BoundElement<D>& element, int opposite) {
+  Eigen::Matrix<double, D, D> corners;
+  for (int i = 0, j = 0; i <= D; ++i)
+    if (i != opposite) corners.col(j++) = element.places.col(i);
+  if constexpr (D == 2)
+    return (corners.col(1) - corners.col(0)).norm();
+  else
+    return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).norm() / 2;
+}
+
+/// Elastic supports of an element whose nodes are lifted.
+template <int D>
+void liftSupports(BoundParts<D>& parts, const BoundElement<D>& element, const Eigen::Matrix<double, D, (D == 2 ? 6 : 10)>& nodal) {
+  for (int a = 0; a <= D; ++a) {
+    if (element.boundary[a] < 0 || !parts.boundary[element.boundary[a]].isSupported()) continue;
+    SideCondition<D>& side = parts.boundary[element.boundary[a]];
+    Eigen::Matrix<double, D, 6> change = Eigen::Matrix<double, D, 6>::Zero();
+    for (int j = 0; j < SimplexNodes<D>::sideNodes(parts.degree); ++j) change.col(j) = nodal.col(SimplexNodes<D>::ofSide(a, j));
+    side.moved += change;
+    parts.liftNorm += supportEnergy(side, parts.degree, sideSize(element, a), change);
+  }
+}
+
 template <int D>
 class Collector {
  public:
@@ -109,7 +136,7 @@ class Collector {
       element.boundary.fill(-1);
       for (int a = 0; a <= D; ++a) {
         const int side = sideOpposite(mesh, e, nodes[a]);
-        if (!conditions.isInner(e, side)) element.boundary[a] = addBoundary(conditions, {m, e, a}, side, nodes);
+        if (!conditions.isInner(e, side)) element.boundary[a] = addBoundary(conditions, {m, e, a}, side, nodes, element);
       }
       result_.ofMesh.back().push_back(static_cast<int>(result_.elements.size()));
       result_.elements.push_back(element);
@@ -117,13 +144,16 @@ class Collector {
   }
 
   /// \param nodes  of the simplex
-  int addBoundary(const SideConditions<D>& conditions, const PlaceOfSide& place, int side, const std::vector<int>& nodes) {
+  int addBoundary(const SideConditions<D>& conditions, const PlaceOfSide& place, int side, const std::vector<int>& nodes,
+                  const BoundElement<D>& element) {
     std::vector<int> onSide;
     for (int j = 0; j < Nodes::sideNodes(result_.degree); ++j) onSide.push_back(nodes[Nodes::ofSide(place.opposite, j)]);
     const int number = static_cast<int>(result_.boundary.size());
     for (const int i : conditions.contactsOnA(place.element, side)) result_.onA[i].push_back(number);
     for (const int i : conditions.contactsOnB(place.element, side)) result_.onB[i].push_back(number);
     result_.boundary.push_back(conditions.of(place.element, side, onSide));
+    const SideCondition<D>& own = result_.boundary.back();
+    if (own.isSupported()) result_.solutionNorm += supportEnergy(own, result_.degree, sideSize(element, place.opposite), own.moved);
     result_.places.push_back(place);
     return number;
   }
@@ -138,7 +168,6 @@ class Collector {
 
   void noteKinds(const SubdomainMesh& mesh) {
     if (mesh.axisymmetric) result_.reasons.insert("the scene is axisymmetric");
-    if (!mesh.coatings.empty()) result_.reasons.insert("contacts are softened");
   }
 
   /// Local nodes of an element in the order of SimplexNodes.
@@ -363,6 +392,7 @@ void lift(BoundParts<D>& parts, const BoundedSolution& solution, const std::map<
           law.stiffness * Collector<D>::strains(element, nodal, parts.degree);
       element.stresses += change;
       parts.liftNorm += energyOf<D>(element, change);
+      liftSupports(parts, element, nodal);
     }
   }
 }

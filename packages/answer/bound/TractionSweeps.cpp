@@ -1,6 +1,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <suture/answer/bound/StressElement.hpp>
+#include <suture/answer/bound/SupportedSides.hpp>
 #include <suture/answer/bound/TractionSweeps.hpp>
 #include <suture/base/Collective.hpp>
 
@@ -61,14 +62,16 @@ void TractionSweeps::assemble(const Matrix& tractions) {
       force = std::max(force, (resultants.cwiseAbs() * own.cwiseAbs()).maxCoeff());
     }
     stress.dataOf(element.places, element.stresses, computed);
+    const Vector given = own;
     own -= computed;
     Eigen::Matrix3d map;
     for (int i = 0; i < 3; ++i) map.col(i) = element.places.col(i + 1) - element.places.col(0);
     stress.gram(map, element.compliance, gram);
     product.noalias() = gram * own;
+    const double ofSupports = addSupports(mesh_, e, given, gram, product);
     Eigen::Map<Matrix>(&grams_[std::size_t(e) * count_ * count_], count_, count_) = gram.topLeftCorner(count_, count_);
     loads_.col(e) = product.head(count_);
-    if (e < mesh_.own()) start_[e] = stress.energy(map, element.compliance, own);
+    if (e < mesh_.own()) start_[e] = stress.energy(map, element.compliance, own) + ofSupports;
   }
   imbalance_ = force > 0.0 ? rest / force : 0.0;
 }
