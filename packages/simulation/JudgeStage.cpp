@@ -1,3 +1,4 @@
+#include <suture/answer/bound/BoundWithLaws.hpp>
 #include <suture/answer/error/AveragedEstimate.hpp>
 #include <suture/answer/error/ExactErrors.hpp>
 #include <suture/answer/solvability/NeutralMotions.hpp>
@@ -87,8 +88,10 @@ void boundError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     return;
   }
   solution.bound = timed(timers, "bound", [&] {
-    return errorBound(comm, {meshes, scene.model, solution.displacement, solution.balancing, solution.pairs, parts, solution.energy,
-                             reasons, solution.notBalanced});
+    return errorBound(comm,
+                      {meshes, scene.model, solution.displacement, solution.balancing, solution.pairs, parts, solution.energy, reasons,
+                       solution.notBalanced},
+                      scene.laws);
   });
 }
 

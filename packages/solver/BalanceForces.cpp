@@ -8,6 +8,7 @@
 #include <Tpetra_MultiVector.hpp>
 
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -74,6 +75,24 @@ Balancing balancingOf(const Comm& comm, const Subdomains& subdomains, const std:
   return result;
 }
 
+/// The state with the bounds of friction that its forces have: the friction of slipping pairs then has an energy.
+InterfaceState withGivenBounds(const InterfaceProblem& problem, const InterfaceState& state, const BrokenField& field) {
+  std::map<int, ContactState> status;
+  int mine = 0, any = 0;
+  for (const PairForce& pair : field.pairs) {
+    ContactState& own = status[pair.id] = pair.state;
+    if (!own.couplesToNormal()) continue;
+    own.bound = own.largest(pair.force);
+    own.friction = 0.0;
+    mine = 1;
+  }
+  Teuchos::reduceAll(*problem.space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  if (any == 0) return state;
+  InterfaceState given = state;
+  given.status = problem.stateOf(field.freeValues, status).status;
+  return given;
+}
+
 }  // namespace
 
 bool wantsErrorBound(const Parameters& settings) {
@@ -82,13 +101,14 @@ bool wantsErrorBound(const Parameters& settings) {
          settings.sublist("Output").get<bool>("Error Bound");
 }
 
-BalancedForces balanceForces(const InterfaceProblem& problem, const InterfaceState& state, Preconditioner& preconditioner,
+BalancedForces balanceForces(const InterfaceProblem& problem, const InterfaceState& found, Preconditioner& preconditioner,
                              const Subdomains& subdomains) {
   const Comm& comm = *problem.space()->comm();
   Attempt best;
-  std::optional<BrokenField> field = problem.brokenField(state, {});
+  const std::optional<BrokenField> field = problem.brokenField(found, {});
   if (!field) return {std::nullopt, "the formulation does not offer the forces of its local problems"};
-  best.field = *std::move(field);
+  const InterfaceState state = withGivenBounds(problem, found, *field);
+  best.field = *problem.brokenField(state, {});
   best.rest = largest(comm, *best.field.residual);
   const std::vector<Vector> before = best.field.freeValues;
   if (best.rest > kRoundOff * best.field.largestForce) {

@@ -4,10 +4,15 @@ The energy J of the finer solution lies above that of the exact one, so that a s
 
     bound.total^2 >= 2 (J(coarse) - J(fine)),     bound.energy_lower <= J(exact) <= J(fine).
 
+With friction J includes the integral of g |slip|, g the bound of the friction stress. For friction that depends on pressures the bound is
+that of the Tresca problem with the bounds g of the coarse solution, in which the finer solution is admissible: 2 (J(coarse) - J(fine)) with
+this g is compared too (kind "friction"), up to the interpolation of g.
+
 Every fourth scene runs on three ranks. Estimates are counted: they need not hold.
 
   bound_corpus.py --solve build/drivers/suture_solve --output out --count 40 --first 1 --mpirun "mpirun --oversubscribe"
 """
+import bisect
 import collections
 import math
 import os
@@ -24,8 +29,10 @@ import friction_corpus  # noqa: E402
 LIMIT = 120        # seconds of a run
 FINER = 4          # elements of the finer mesh along an edge of the coarse one
 ROUND_OFF = 1e-9   # of the energies, in their difference
+INTERPOLATED = 0.02  # of the bound: effect of the interpolation of g
 ENDS = (0, 3, 4)   # exit codes of sound runs
-FAILED = ("VIOLATED", "WRONG INTERVAL", "no bound", "hang", "bug")
+GIVEN = re.compile(r"^friction: proved for given bounds .* by (\S+) of their sum$")
+FAILED = ("VIOLATED", "TRESCA VIOLATED", "WRONG INTERVAL", "no bound", "hang", "bug")
 LEAST_STRICT = 0.3  # of the scenes that are solved: with fewer the test would show little
 
 
@@ -37,6 +44,37 @@ class Bounded:
         self.energy, self.iterations = run.summary.get("energy"), run.summary.get("outer", {}).get("pcg_total")
         self.total, self.strict, self.reasons = bound.get("total"), bound.get("strict") is True, bound.get("reasons") or []
         self.lower, self.upper = bound.get("energy_lower"), bound.get("energy_upper")
+        given = [GIVEN.search(reason) for reason in self.reasons]
+        self.change, self.pairs = next((float(found.group(1)) for found in given if found), None), pairs_of(run.pairs)
+
+    def friction(self):
+        """True if friction that depends on the solution is the only reason for an estimate."""
+        return self.change is not None and len(self.reasons) == 1 and self.upper is not None
+
+
+def pairs_of(rows):
+    """Pairs by contact: place along it, length, slip and bound of friction, in the order of the places. `rows`: of contact.csv"""
+    contacts = collections.defaultdict(list)
+    for row in rows:
+        if "bound" in row:
+            value = {key: float(row[key] or 0) for key in ("x", "y", "nx", "ny", "length", "slip_x", "slip_y", "bound")}
+            place = value["nx"] * value["y"] - value["ny"] * value["x"]
+            contacts[row["contact"]].append((place, value["length"], math.hypot(value["slip_x"], value["slip_y"]), value["bound"]))
+    return {name: sorted(own) for name, own in contacts.items()}
+
+
+def friction_energy(bounds, slips):
+    """Sum of length times g times slip over the pairs `slips`, g interpolated between the pairs `bounds`."""
+    total = 0.0
+    for name, rows in slips.items():
+        known = [(place, bound / length) for place, length, _, bound in bounds.get(name, []) if length > 0]
+        places = [place for place, _ in known]
+        for place, length, slip, _ in rows:
+            at = min(max(bisect.bisect(places, place), 1), len(known) - 1)
+            (x, g), (y, h) = known[at - 1], known[at]
+            part = min(max((place - x) / (y - x), 0.0), 1.0) if y > x else 0.0
+            total += length * slip * (g + part * (h - g))
+    return total
 
 
 def judge(coarse, fine):
@@ -58,6 +96,12 @@ def judge(coarse, fine):
     square = 2 * (coarse.energy - known)
     remark = "bound^2 %.4e, 2 (J - J_fine) %.4e, J %.6e" % (coarse.total ** 2, square, coarse.energy)
     ratio = coarse.total / math.sqrt(square) if square > 100 * slack else None
+    if coarse.friction():
+        square = 2 * (coarse.upper - fine.energy - friction_energy(coarse.pairs, fine.pairs))
+        remark = "bound^2 %.4e, 2 (J - J_fine) %.4e, change %.1e" % (coarse.total ** 2, square, coarse.change)
+        ratio = coarse.total / math.sqrt(square) if square > 100 * slack else None
+        holds = coarse.total ** 2 * (1 + INTERPOLATED) >= square - slack
+        return ("friction" if holds else "TRESCA VIOLATED"), remark, ratio
     if not coarse.strict:
         return "estimate", "; ".join(coarse.reasons), ratio
     if coarse.total ** 2 < square - slack:
@@ -74,7 +118,7 @@ def play(options, seed):
     program = [*(options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []), options.solve]
     folders, runs = [], []
     for name, refine in (("coarse", 1), ("fine", FINER)):
-        scene = bound_scenes.scene(seed, refine, options.family)
+        scene = bound_scenes.scene(seed, refine, options.family, options.law)
         folders.append(os.path.join(options.output, "s%d_%s" % (seed, name)))
         scene.write(folders[-1])
         tolerance = options.tolerance or (scene.tolerance if refine == 1 else 1e-10)
@@ -82,7 +126,7 @@ def play(options, seed):
     kind, remark, ratio = judge(*runs)
     coarse = runs[0].run.summary
     result = {"seed": seed, "family": scene.family, "cell": scene.cell, "class": kind, "remark": remark, "ratio": ratio, "ranks": ranks,
-              "flaws": scene.flaws, "dofs": coarse.get("dofs"), "bound": coarse.get("bound"), "tolerance": scene.tolerance,
+              "flaws": scene.flaws, "change": runs[0].change, "dofs": coarse.get("dofs"), "bound": coarse.get("bound"), "tolerance": scene.tolerance,
               "seconds": {name: (one.run.summary.get("phases", {}).get("bound") or {}).get("max") for name, one in zip(("coarse", "fine"), runs)}}
     if kind not in FAILED:
         for folder in folders:
@@ -99,26 +143,30 @@ def table(results):
     """Classes, and bound over error by element."""
     lines = [", ".join("%s %d" % each for each in sorted(collections.Counter(r["class"] for r in results).items()))]
     for cell in sorted({r["cell"] for r in results}):
-        for kind in ("holds", "estimate"):
+        for kind in ("holds", "friction", "estimate"):
             ratios = [(r["ratio"], r["seed"]) for r in results if r["cell"] == cell and r["class"] == kind and r["ratio"]]
             if ratios:
                 lines.append("  %s, %s: bound over error against the finer mesh: least %.3f (seed %d), median %.2f, largest %.2f (seed %d), of %d"
-                             % (cell, "strict" if kind == "holds" else kind, *min(ratios), statistics.median(x for x, _ in ratios), *max(ratios), len(ratios)))
+                             % (cell, {"holds": "strict", "friction": "Tresca problem"}.get(kind, kind), *min(ratios), statistics.median(x for x, _ in ratios), *max(ratios), len(ratios)))
     reasons = collections.Counter(kind_of(reason) for r in results if r["class"] in ("estimate", "not computed") for reason in (r["bound"] or {}).get("reasons", []))
+    changes = [r["change"] for r in results if r["class"] == "friction"]
+    if changes:
+        lines.append("  changes of the friction bounds: median %.1e, largest %.1e" % (statistics.median(changes), max(changes)))
     return lines + ["  %d estimates: %s" % (count, reason) for reason, count in reasons.most_common()]
 
 
 def main():
     results = []
     parser = corpus_runs.parser(__doc__)
+    parser.add_argument("--law", choices=["Tresca", "Coulomb", "Tied", "No Separation"], help="law of all contacts of two bodies")
     parser.add_argument("--tolerance", type=float, help="of the solver, instead of that of each scene")
     for result in corpus_runs.results(parser.parse_args(), play):
         results.append(result)
         if result["class"] in FAILED:
             print("%(seed)d %(family)s %(cell)s: %(class)s: %(remark)s" % result, flush=True)
     print("\n".join(table(results)))
-    solved = [r for r in results if r["class"] in ("holds", "holds, no error", "estimate", "not computed")]
-    strict = sum(r["class"].startswith("holds") for r in solved)
+    solved = [r for r in results if r["class"] in ("holds", "holds, no error", "friction", "estimate", "not computed")]
+    strict = sum(r["class"].startswith("holds") or r["class"] == "friction" for r in solved)
     few = strict < LEAST_STRICT * len(solved) or not solved
     if few:
         print("only %d of %d bounds are strict" % (strict, len(solved)))

@@ -45,11 +45,11 @@ class Polygon:
 
 
 class BoundScene(Scene):
-    """`refine`: factor on all numbers of cells; the rest of the scene does not depend on it."""
+    """`refine`: factor on all numbers of cells; the rest of the scene does not depend on it. `law`: kind of all contacts of two bodies."""
 
-    def __init__(self, seed, refine=1):
+    def __init__(self, seed, refine=1, law=None):
         super().__init__(seed, 2)
-        self.refine, self.regions, self.flaws = refine, {}, []
+        self.refine, self.regions, self.flaws, self.given = refine, {}, [], law
         self.cell = self.random.choice(CELLS)
         self.order = CELLS_OF[self.cell][1]
         self.model = self.random.choice(["Plane Strain", "Plane Strain", "Plane Stress"])
@@ -153,6 +153,8 @@ class BoundScene(Scene):
         if self.flawed and self.random.random() < 0.5:
             law = self.law(["Coulomb", "Tresca"], mu=self.random.uniform(0.1, 0.6))
             self.flaws.append("friction")
+        if self.given:
+            law = Law(self.given, mu=self.random.uniform(0.1, 0.6)) if self.given == "Coulomb" else Law(self.given, bound=10 ** self.random.uniform(-1, 0.3))
         self.contact(below, above, law)
 
 
@@ -271,6 +273,7 @@ def shelves(scene):
 FAMILIES = [(pile, 4), (angle, 3), (wedge, 2), (ground, 3), (disc, 2), (window, 2), (shelves, 2)]
 
 
-def scene(seed, refine=1, family=None):
-    """The scene of a seed."""
-    return fill(BoundScene(seed, refine), FAMILIES, family)
+def scene(seed, refine=1, family=None, law=None):
+    """The scene of a seed. `law`: with this law in contacts of two bodies, in families that have some."""
+    families = [one for one in FAMILIES if one[0] in (pile, angle, wedge, shelves)] if law else FAMILIES
+    return fill(BoundScene(seed, refine, law), families, family)

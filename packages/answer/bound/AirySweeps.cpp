@@ -1,6 +1,7 @@
 #include <suture/algebra/Lanes.hpp>
 #include <suture/answer/bound/AirySweeps.hpp>
 #include <suture/answer/bound/PressedSides.hpp>
+#include <suture/answer/bound/SupportedSides.hpp>
 #include <suture/base/Collective.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -161,7 +162,8 @@ void AirySweeps<K>::assemble(const Matrix& given) {
       tractions.col(a) = given.col(mesh_.sidesOfElement(e)[a]);
       frames[a] = frames_[mesh_.verticesOf(e)[a]];
     }
-    const typename Element::Energy energy = reference.energy(mesh_.element(e), sidesOf(e), frames, tractions);
+    typename Element::Energy energy = reference.energy(mesh_.element(e), sidesOf(e), frames, tractions);
+    for (int a = 0; a < 3; ++a) addSupport(e, a, frames, tractions.col(a), energy);
     double* entry = &matrices_[std::size_t(e / lanes) * packed * lanes + e % lanes];
     for (int i = 0; i < dofs; ++i)
       for (int j = 0; j <= i; ++j, entry += lanes) *entry = energy.matrix(j, i);
@@ -170,6 +172,23 @@ void AirySweeps<K>::assemble(const Matrix& given) {
     if (e < mesh_.own()) start_[e] = energy.start;
   }
   measureImbalance(given);
+}
+
+/// Energy of the elastic support of a side. \param traction  in the direction of the side's normal
+template <int K>
+void AirySweeps<K>::addSupport(int e, int a, const typename Element::Frames& frames, const Eigen::Matrix<double, sideData, 1>& traction,
+                               typename Element::Energy& energy) const {
+  const int s = mesh_.sidesOfElement(e)[a], ends[2] = {a == 0 ? 1 : 0, a == 2 ? 1 : 2};
+  const std::optional<SupportForm> form = supportForm(mesh_, s, mesh_.sign(e, a) * traction);
+  if (!form) return;
+  const AirySide side{mesh_.size(s), mesh_.normal(s), mesh_.sign(e, a)};
+  const typename Element::SideTractions ofUnknowns = side.sign * Element::tractionsOf(side, frames[ends[0]], frames[ends[1]]);
+  Eigen::Matrix<double, sideData, dofs> change = Eigen::Matrix<double, sideData, dofs>::Zero();
+  for (int end = 0; end < 2; ++end) change.template middleCols<3>(3 * ends[end]) = ofUnknowns.template middleCols<3>(3 * end);
+  change.template middleCols<onSide>(9 + onSide * a) = ofUnknowns.template rightCols<onSide>();
+  energy.matrix += change.transpose() * form->gram * change;
+  energy.loads += change.transpose() * form->product;
+  energy.start += form->energy;
 }
 
 /// Largest resultant of forces, and of moments over the size of the triangle.

@@ -40,6 +40,8 @@ class AirySweeps {
   void constrain(int side);
   void assemble(const Matrix& given);
   typename Element::Sides sidesOf(int e) const;
+  void addSupport(int e, int a, const typename Element::Frames& frames, const Eigen::Matrix<double, sideData, 1>& traction,
+                  typename Element::Energy& energy) const;
   void measureImbalance(const Matrix& given);
   void factorStars();
   void listStars();

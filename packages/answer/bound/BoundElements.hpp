@@ -38,6 +38,11 @@ struct SideCondition {
   unsigned kept = 0;               ///< bits: unknown components that are equilibrated with the nodal forces and kept then
   Eigen::Matrix<double, D, D> axes = Eigen::Matrix<double, D, D>::Identity();  ///< rows, orthonormal
   Eigen::Matrix<double, D, 6> traction = Eigen::Matrix<double, D, 6>::Zero();  ///< outward, Cartesian, at the side's nodes [stress]
+  /// Elastic support: 1 / stiffness per area along each axis, 0: none [length / stress]; displacement of v at the side's nodes [length].
+  Eigen::Matrix<double, D, 1> compliance = Eigen::Matrix<double, D, 1>::Zero();
+  Eigen::Matrix<double, D, 6> moved = Eigen::Matrix<double, D, 6>::Zero();
+
+  bool isSupported() const { return (compliance.array() > 0.0).any(); }
 };
 
 /// A simplex with what its error depends on.

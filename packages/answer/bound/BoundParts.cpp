@@ -1,6 +1,8 @@
+#include <Eigen/Geometry>
 #include <suture/answer/bound/BoundParts.hpp>
 #include <suture/answer/bound/SideConditions.hpp>
 #include <suture/answer/bound/SimplexField.hpp>
+#include <suture/answer/bound/SupportedSides.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementStress.hpp>
 
@@ -55,6 +57,31 @@ struct Law {
     }
   }
 };
+
+/// Length or area of the side opposite to a vertex.
+template <int D>
+double sideSize(const BoundElement<D>& element, int opposite) {
+  Eigen::Matrix<double, D, D> corners;
+  for (int i = 0, j = 0; i <= D; ++i)
+    if (i != opposite) corners.col(j++) = element.places.col(i);
+  if constexpr (D == 2)
+    return (corners.col(1) - corners.col(0)).norm();
+  else
+    return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).norm() / 2;
+}
+
+/// Energy of the elastic supports of an element whose nodes are displaced.
+template <int D>
+double energyOfSupports(const BoundParts<D>& parts, const BoundElement<D>& element, const typename SimplexField<D>::Nodal& nodal) {
+  double energy = 0.0;
+  for (int a = 0; a <= D; ++a) {
+    if (element.boundary[a] < 0 || !parts.boundary[element.boundary[a]].isSupported()) continue;
+    Eigen::Matrix<double, D, 6> moved = Eigen::Matrix<double, D, 6>::Zero();
+    for (int j = 0; j < SimplexNodes<D>::sideNodes(parts.degree); ++j) moved.col(j) = nodal.col(SimplexNodes<D>::ofSide(a, j));
+    energy += supportEnergy(parts.boundary[element.boundary[a]], parts.degree, sideSize(element, a), moved);
+  }
+  return energy;
+}
 
 template <int D>
 class Collector {
@@ -114,19 +141,22 @@ class Collector {
       element.boundary.fill(-1);
       for (int a = 0; a <= D; ++a) {
         const int side = sideOpposite(mesh.cells[e], nodes.local[a]);
-        if (!conditions.isInner(e, side)) element.boundary[a] = addBoundary(conditions, {m, e, a}, side, nodes);
+        if (!conditions.isInner(e, side)) element.boundary[a] = addBoundary(conditions, {m, e, a}, side, nodes, element);
       }
     }
   }
 
   /// \param nodes  of the simplex
-  int addBoundary(const SideConditions<D>& conditions, const PlaceOfSide& place, int side, const Ordered& nodes) {
+  int addBoundary(const SideConditions<D>& conditions, const PlaceOfSide& place, int side, const Ordered& nodes,
+                  const BoundElement<D>& element) {
     std::vector<int> onSide;
     for (int j = 0; j < Nodes::sideNodes(result_.degree); ++j) onSide.push_back(nodes.node[Nodes::ofSide(place.opposite, j)]);
     const int number = static_cast<int>(result_.boundary.size());
     for (const int i : conditions.contactsOnA(place.element, side)) result_.onA[i].push_back(number);
     for (const int i : conditions.contactsOnB(place.element, side)) result_.onB[i].push_back(number);
     result_.boundary.push_back(conditions.of(place.element, side, onSide));
+    const SideCondition<D>& own = result_.boundary.back();
+    if (own.isSupported()) result_.solutionNorm += supportEnergy(own, result_.degree, sideSize(element, place.opposite), own.moved);
     result_.places.push_back(place);
     return number;
   }
@@ -141,7 +171,6 @@ class Collector {
 
   void noteKinds(const SubdomainMesh& mesh) {
     if (mesh.axisymmetric) result_.reasons.insert("the scene is axisymmetric");
-    if (!mesh.coatings.empty()) result_.reasons.insert("contacts are softened");
   }
 
   Ordered orderedNodes(const SubdomainMesh& mesh, int e, BoundElement<D>& element) {
@@ -348,7 +377,7 @@ Vector liftEnergies(const BoundParts<D>& parts, const BoundedSolution& solution,
       const Law<D> law(solution.model.materialOf(mesh, e, mesh.body), solution.model.plane);
       const SimplexField<D> field(element.places);
       const typename SimplexField<D>::AtVertices change = law.stiffness * field.strains(nodal, parts.degree);
-      energies[parts.ofMesh[m][e]] = field.energy(change, element.compliance);
+      energies[parts.ofMesh[m][e]] = field.energy(change, element.compliance) + energyOfSupports(parts, element, nodal);
     }
   }
   return energies;

@@ -21,7 +21,8 @@ TouchingPair touchingPair(const ContactRow& row) {
   TouchingPair own{row.pair.id, row.pair.line};
   own.normal = row.pair.normal;
   own.ends = row.pair.ends;
-  own.isUnilateral = row.separates && !row.restrictsSliding();
+  own.separates = row.separates;
+  own.restrictsSliding = row.restrictsSliding();
   own.isSimple = row.pair.ends.size() <= 2;
   for (const PairEnd& end : row.pair.ends) {
     (end.weight > 0 ? own.a : own.b) = end.node;
@@ -33,16 +34,37 @@ TouchingPair touchingPair(const ContactRow& row) {
 
 void ContactNodes::addPairs(const std::vector<Pair>& pairs) {
   for (const Pair& pair : pairs) {
-    const double force = pair.result.state.closed() ? pair.result.force : 0.0;
-    add({pair.pair.a, pair.pair.b, {0, 0, 0}, pair.pair.normal, force, pair.result.gap});
+    ContactNode node{pair.pair.a, pair.pair.b, {0, 0, 0}, pair.pair.normal, 0.0, pair.result.gap};
+    node.slip = pair.result.stepSlip();
+    node.shortening = pair.result.shortening;
+    node.isClosed = pair.result.state.closed();
+    node.slips = pair.result.state.status == PairStatus::Slip;
+    if (node.isClosed) {
+      node.force = pair.result.force;
+      node.tangential = pair.tangential;
+      node.bound = pair.bound;
+      node.boundOfLaw = pair.result.bound;
+    }
+    add(node);
   }
 }
 
-std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs) {
+std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs, bool ignoresDistance) {
   std::map<GlobalId, const Point*> placeOfB, movedOfB;
-  std::map<GlobalId, double> force;
-  for (const Pair& pair : pairs)
-    for (const PairEnd& end : pair.pair.ends) force[end.node] += pair.result.state.closed() ? end.weight * pair.result.force : 0.0;
+  std::map<GlobalId, ContactNode> forces;
+  for (const Pair& pair : pairs) {
+    if (pair.pair.restrictsSliding && norm(pair.result.past.slip) > 0.0) return "it has slid in an earlier load step";
+    for (const PairEnd& end : pair.pair.ends) {
+      ContactNode& own = forces[end.node];
+      if (!pair.result.state.closed()) continue;
+      own.force += end.weight * pair.result.force;
+      own.tangential = plus(own.tangential, scaled(end.weight, pair.tangential));
+      own.bound += std::max(0.0, end.weight) * pair.bound;
+      own.boundOfLaw += std::max(0.0, end.weight) * pair.result.bound;
+      own.slips = own.slips || pair.result.state.status == PairStatus::Slip;
+      own.isClosed = true;
+    }
+  }
   for (const TouchingSide* side : b_)
     for (int j = 0; j < sideNodes_; ++j) placeOfB[side->nodes[j]] = &side->places[j], movedOfB[side->nodes[j]] = &side->moved[j];
   if (a_.empty()) return "no side of it faces another";
@@ -56,23 +78,28 @@ std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs) {
   for (const auto& [node, place] : placeOfB) sorted.push_back({dot(*place, along), node});
   std::sort(sorted.begin(), sorted.end());
   double largest = 0.0;
-  for (const auto& [node, value] : force) largest = std::max(largest, std::abs(value));
+  for (const auto& [node, value] : forces) largest = std::max({largest, std::abs(value.force), norm(value.tangential)});
   for (const TouchingSide* side : a_)
     for (int j = 0; j < sideNodes_; ++j) {
       if (indexOf_.count(side->nodes[j])) continue;
       const double near = kSamePlace * std::sqrt(side->size), at = dot(side->places[j], along);
       auto candidate = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(at - near, GlobalId(-1)));
-      ContactNode node{side->nodes[j], -1, side->places[j], normal};
+      ContactNode node = forces[side->nodes[j]];
+      node.a = side->nodes[j];
+      node.place = side->places[j];
+      node.normal = normal;
       for (; candidate != sorted.end() && candidate->first <= at + near; ++candidate) {
         const Point apart = minus(*placeOfB.at(candidate->second), side->places[j]);
         if (norm(minus(apart, scaled(dot(apart, normal), normal))) > near) continue;
         node.b = candidate->second;
-        node.gap = dot(apart, normal) - dot(minus(side->moved[j], *movedOfB.at(node.b)), normal);
+        const Point jump = minus(side->moved[j], *movedOfB.at(node.b));
+        node.gap = (ignoresDistance ? 0.0 : dot(apart, normal)) - dot(jump, normal);
+        node.slip = minus(jump, scaled(dot(jump, normal), normal));
       }
       if (node.b < 0) continue;  // faces nothing
-      node.force = force.count(node.a) ? force.at(node.a) : 0.0;
-      const double opposite = force.count(node.b) ? force.at(node.b) : 0.0;
-      if (std::abs(node.force + opposite) > kSamePlace * largest) return "its sides do not match";
+      const ContactNode& opposite = forces[node.b];
+      if (std::max(std::abs(node.force + opposite.force), norm(plus(node.tangential, opposite.tangential))) > kSamePlace * largest)
+        return "its sides do not match";
       add(node);
     }
   return "";

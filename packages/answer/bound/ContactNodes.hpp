@@ -16,12 +16,14 @@ struct TouchingSide {
   std::array<GlobalId, 6> nodes{{-1, -1, -1, -1, -1, -1}};  // in the order of the bound
   std::array<Point, 6> places{}, moved{};                   // and displacements
   Point normal{0, 0, 0};
-  double size = 0.0, stiffness = 0.0;  // Young's modulus, the largest of the material
+  double size = 0.0;
+  double young = 0.0;      // of the element behind it, in its stiffest direction [stress]
+  double stiffness = 0.0;  // of the springs of a softened contact [stress / length]
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.contact), each(self.rank), each(self.number), each(self.onA), each(self.nodes), each(self.places), each(self.moved);
-    each(self.normal), each(self.size), each(self.stiffness);
+    each(self.normal), each(self.size), each(self.young), each(self.stiffness);
   }
 };
 
@@ -30,13 +32,14 @@ struct TouchingPair {
   int id = -1, line = -1;
   GlobalId a = -1, b = -1;  // nodes; b = -1: an obstacle
   Point normal{0, 0, 0};
-  bool isUnilateral = false;  // without friction, and separates
-  bool isSimple = false;      // at most one node on each side, with weights 1
+  bool separates = true, restrictsSliding = false;
+  bool isSimple = false;  // at most one node on each side, with weights 1
   std::vector<PairEnd> ends{};
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.id), each(self.line), each(self.a), each(self.b), each(self.normal), each(self.isUnilateral), each(self.isSimple);
+    each(self.id), each(self.line), each(self.a), each(self.b), each(self.normal), each(self.separates), each(self.restrictsSliding),
+        each(self.isSimple);
     each(self.ends);
   }
 };
@@ -48,7 +51,11 @@ TouchingPair touchingPair(const ContactRow& row);
 struct ContactNode {
   GlobalId a = -1, b = -1;  // and the opposite node; -1: an obstacle
   Point place{0, 0, 0}, normal{0, 0, 0};
-  double force = 0.0, gap = 0.0;  // compressive force; gap of the displacement
+  double force = 0.0, gap = 0.0;             // compressive force; gap of the displacement
+  Point tangential{0, 0, 0}, slip{0, 0, 0};  // force on B; slip of the load step
+  double bound = 0.0, boundOfLaw = 0.0;      // largest tangential force: given, and that of the law for `force`
+  double shortening = 0.0;                   // change of length of the spring of a softened contact
+  bool isClosed = false, slips = false;
 };
 
 /// The nodes of one contact with the forces and gaps that a solution has there, on rank 0.
@@ -58,6 +65,8 @@ class ContactNodes {
   struct Pair {
     TouchingPair pair;
     PairResult result;
+    Point tangential{0, 0, 0};
+    double bound = 0.0;  ///< given largest tangential force
   };
   /// \param a, b  sides of the contact; must outlive this object
   ContactNodes(int sideNodes, const Sides& a, const Sides& b) : sideNodes_(sideNodes), a_(a), b_(b) {}
@@ -65,8 +74,8 @@ class ContactNodes {
   /// Nodes of pairs of one node on each side.
   void addPairs(const std::vector<Pair>& pairs);
   /// Nodes of mortar pairs on sides that match: gaps from places and displacements, forces from the weights of the pairs. Returns what
-  /// prevents it; empty if nothing does.
-  std::string addPlaces(const std::vector<Pair>& pairs);
+  /// prevents it; empty if nothing does. \param ignoresDistance  sides are glued where they are drawn
+  std::string addPlaces(const std::vector<Pair>& pairs, bool ignoresDistance);
 
   const std::vector<ContactNode>& all() const { return nodes_; }
   /// Place in all(); -1 for a node that faces nothing.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <suture/algebra/DisjointSets.hpp>
 #include <suture/answer/bound/BalancedPatterns.hpp>
 #include <suture/answer/bound/ContactPressures.hpp>
@@ -22,8 +23,9 @@ constexpr double kSpread =
 struct PressedPart {
   PressedSides sides;
   std::vector<int> sideNumbers, nodeNumbers;
-  std::vector<char> isFull;  // per side: it can carry a pressure that balances forces exactly
-  double tiny = 0;           // forces up to it count as zero
+  std::vector<char> isFull;       // per side: it can carry a pressure that balances forces exactly
+  std::vector<char> isSaturated;  // per side: its pressure must be the limit
+  double tiny = 0;                // forces up to it count as zero
 };
 
 struct PartPressures {
@@ -34,10 +36,29 @@ struct PartPressures {
   double misfit = 0;  // last search with patterns, relative to the largest force
 };
 
+/// Largest force of each node that pressures up to the limit balance, minus its force; meaningless for vertices of degree 2 in 3D.
+std::vector<double> roomBelowLimit(const PressedSides& sides) {
+  const Vector integrals = sideMass(sides.dimension, sides.degree).rowwise().sum();
+  std::vector<double> room(sides.places.size(), 0.0);
+  for (int side = 0; side < sides.sides(); ++side)
+    for (int i = 0; i < sides.sideNodes(); ++i)
+      room[std::size_t(sides.nodesOf(side)[i])] += sides.limit * integrals(i) * sides.sizes[std::size_t(side)];
+  for (std::size_t node = 0; node < room.size(); ++node) room[node] -= sides.forces[node];
+  return room;
+}
+
 bool isFull(const PressedSides& sides, int side, double tiny) {
+  if (sides.mayPull) return true;
   const int first = sides.degree == 1 ? 0 : sides.vertices();
   const int* nodes = sides.nodesOf(side);
   return std::all_of(nodes + first, nodes + sides.sideNodes(), [&](int node) { return sides.forces[std::size_t(node)] > tiny; });
+}
+
+bool isSaturated(const PressedSides& sides, int side, const std::vector<double>& room, double tiny) {
+  if (!std::isfinite(sides.limit)) return false;
+  const int first = sides.degree == 1 ? 0 : sides.vertices();
+  const int* nodes = sides.nodesOf(side);
+  return std::any_of(nodes + first, nodes + sides.sideNodes(), [&](int node) { return room[std::size_t(node)] <= tiny; });
 }
 
 bool isLoaded(const PressedSides& sides, int side, double tiny) {
@@ -55,6 +76,7 @@ std::vector<PressedPart> loadedParts(const PressedSides& sides, double tiny) {
     for (int i = 1; i < sides.sideNodes(); ++i) sets.join(sides.nodesOf(side)[0], sides.nodesOf(side)[i]);
   }
   std::vector<PressedPart> parts;
+  const std::vector<double> room = roomBelowLimit(sides);
   std::vector<int> partOf(sides.places.size(), -1), local(sides.places.size(), -1);
   for (const int side : loaded) {
     int& number = partOf[std::size_t(sets.lowest(sides.nodesOf(side)[0]))];
@@ -62,11 +84,13 @@ std::vector<PressedPart> loadedParts(const PressedSides& sides, double tiny) {
       number = static_cast<int>(parts.size());
       parts.emplace_back();
       parts.back().sides.dimension = sides.dimension, parts.back().sides.degree = sides.degree;
+      parts.back().sides.limit = sides.limit, parts.back().sides.mayPull = sides.mayPull;
       parts.back().tiny = tiny;
     }
     PressedPart& part = parts[std::size_t(number)];
     part.sideNumbers.push_back(side);
     part.isFull.push_back(isFull(sides, side, tiny));
+    part.isSaturated.push_back(isSaturated(sides, side, room, tiny));
     part.sides.sizes.push_back(sides.sizes[std::size_t(side)]);
     for (int i = 0; i < sides.sideNodes(); ++i) {
       const int node = sides.nodesOf(side)[i];
@@ -101,7 +125,8 @@ std::vector<double> smoothPressures(const PressedPart& part) {
     for (int i = first; i < functions && part.isFull[std::size_t(side)]; ++i)
       areas[std::size_t(sides.nodesOf(side)[i])] += integrals(i) * sides.sizes[std::size_t(side)];
   for (std::size_t node = 0; node < areas.size(); ++node)
-    if (areas[node] > 0) pressures[node] = std::max(0.0, sides.forces[node] / areas[node]);
+    if (areas[node] > 0)
+      pressures[node] = sides.mayPull ? sides.forces[node] / areas[node] : std::max(0.0, sides.forces[node] / areas[node]);
   if (sides.degree == 1) return pressures;
   NodalMeans means(sides.count());
   for (int side = 0; side < sides.sides(); ++side) {
@@ -130,8 +155,11 @@ Matrix smoothCoefficients(const PressedPart& part) {
     for (int edge = 0; edge < sides.sideNodes() - sides.vertices(); ++edge) {
       const auto [i, j] = edgeVertices(edge);
       double& middle = coefficients(sides.vertices() + edge, side);
-      middle = std::max(0.0, 2 * middle - 0.5 * (coefficients(i, side) + coefficients(j, side)));
+      middle = 2 * middle - 0.5 * (coefficients(i, side) + coefficients(j, side));
+      if (!sides.mayPull) middle = std::max(0.0, middle);
     }
+    for (int i = 0; i < sides.sideNodes(); ++i)
+      if (part.isSaturated[std::size_t(side)] || coefficients(i, side) > sides.limit) coefficients(i, side) = sides.limit;
   }
   return coefficients;
 }
@@ -160,25 +188,46 @@ std::vector<double> restOf(const PressedSides& sides, const Matrix& coefficients
   return rest;
 }
 
+/// Limits of unknowns, the first of which are Bernstein coefficients; those of degree 2 may exceed values between them.
+void setLimits(const PressedSides& sides, int coefficients, NonnegativeProblem& problem) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (sides.mayPull) {
+    problem.lowest = Vector::Zero(problem.start.size());
+    problem.lowest.head(coefficients).setConstant(-infinity);
+  }
+  if (!std::isfinite(sides.limit)) return;
+  problem.highest = Vector::Constant(problem.start.size(), infinity);
+  problem.highest.head(coefficients).setConstant(sides.limit);
+}
+
 /// Pressures on full sides that balance all forces exactly; false if there are none.
 bool fitsExactly(const PressedPart& part, const Matrix& smooth, PartPressures& result) {
   const PressedSides& sides = part.sides;
   const int functions = sides.sideNodes();
   std::vector<int> rows(sides.places.size(), -1), full;
-  std::vector<double> targets;
+  std::vector<double> targets, forces = sides.forces;
+  const Matrix moments = bernsteinMoments(sides);
   for (int side = 0; side < sides.sides(); ++side) {
-    if (!part.isFull[std::size_t(side)]) continue;
+    if (!part.isSaturated[std::size_t(side)]) continue;
+    if (!part.isFull[std::size_t(side)]) return false;
+    result.coefficients.col(side).setConstant(sides.limit);
+    const Vector carried = sides.sizes[std::size_t(side)] * moments * result.coefficients.col(side);
+    for (int i = 0; i < functions; ++i) forces[std::size_t(sides.nodesOf(side)[i])] -= carried[i];
+  }
+  for (double& force : forces)
+    if (std::abs(force) <= part.tiny) force = 0.0;
+  for (int side = 0; side < sides.sides(); ++side) {
+    if (!part.isFull[std::size_t(side)] || part.isSaturated[std::size_t(side)]) continue;
     full.push_back(side);
     for (int i = 0; i < functions; ++i) {
       const int node = sides.nodesOf(side)[i];
       if (rows[std::size_t(node)] >= 0) continue;
       rows[std::size_t(node)] = static_cast<int>(targets.size());
-      targets.push_back(sides.forces[std::size_t(node)]);
+      targets.push_back(forces[std::size_t(node)]);
     }
   }
   for (std::size_t node = 0; node < rows.size(); ++node)
-    if (rows[node] < 0 && std::abs(sides.forces[node]) > part.tiny) return false;
-  const Matrix moments = bernsteinMoments(sides);
+    if (rows[node] < 0 && std::abs(forces[node]) > part.tiny) return false;
   const int unknowns = functions * static_cast<int>(full.size());
   Entries entries;
   NonnegativeProblem problem{
@@ -189,6 +238,7 @@ bool fitsExactly(const PressedPart& part, const Matrix& smooth, PartPressures& r
     problem.weights.segment(first, functions).setConstant(sides.sizes[std::size_t(full[k])]);
     problem.start.segment(first, functions) = smooth.col(full[k]);
   }
+  setLimits(sides, unknowns, problem);
   problem.columns.resize(problem.targets.size(), unknowns);
   problem.columns.setFromTriplets(entries.begin(), entries.end());
   const NonnegativeSolution solution = nonnegativeFit(problem);
@@ -245,7 +295,10 @@ void fitWithPatterns(const PressedPart& part, const Matrix& smooth, double cost,
     addMoments(sides, side, rows, functions * side, moments, entries);
     problem.weights.segment(functions * side, functions).setConstant(sides.sizes[std::size_t(side)]);
     problem.start.segment(functions * side, functions) = smooth.col(side);
-    if (!part.isFull[std::size_t(side)]) problem.start.segment(functions * side, functions).setConstant(-cost);
+    if (!part.isFull[std::size_t(side)])
+      problem.start.segment(functions * side, functions).setConstant(-cost);
+    else if (part.isSaturated[std::size_t(side)])
+      problem.start.segment(functions * side, functions).setConstant(sides.limit + cost);
   }
   // Amplitudes z = z+ - z-: the start -s of both with the weight w is the cost w s of their sizes.
   const double largest = problem.targets.cwiseAbs().maxCoeff();
@@ -256,6 +309,7 @@ void fitWithPatterns(const PressedPart& part, const Matrix& smooth, double cost,
       for (const int sign : {0, 1})
         entries.emplace_back(patterns[std::size_t(k)].nodes[i], pressures + 2 * k + sign,
                              (1 - 2 * sign) * patterns[std::size_t(k)].amplitudes[i]);
+  setLimits(sides, pressures, problem);
   problem.columns.resize(sides.count(), unknowns);
   problem.columns.setFromTriplets(entries.begin(), entries.end());
   const NonnegativeSolution solution = nonnegativeFit(problem);

@@ -1,33 +1,40 @@
 #include <suture/answer/bound/ContactNodes.hpp>
 #include <suture/answer/bound/ContactPressures.hpp>
 #include <suture/answer/bound/ContactTractions.hpp>
+#include <suture/answer/bound/FrictionTractions.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/SideGeometry.hpp>
+#include <suture/mesh/SideInterpolation.hpp>
+#include <suture/pairs/PairFrame.hpp>
 
 #include <Teuchos_Comm.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
+#include <optional>
 #include <set>
+#include <sstream>
 
 namespace suture {
 
 namespace {
 
-// Differences of the normals of a side's nodes that are round-off.
+// Differences of the normals of a side's nodes, and of relative friction bounds, that are round-off.
 constexpr double kSameNormal = 1e-8;
 
-/// Normal force of a pair in the balanced field.
+/// Forces of a pair in the balanced field.
 struct BalancedForce {
   int id = -1;
-  double force = 0.0;
+  double force = 0.0, bound = 0.0;  // the second: largest tangential force
+  Point tangential{0, 0, 0};
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.id), each(self.force);
+    each(self.id), each(self.force), each(self.bound), each(self.tangential);
   }
 };
 
@@ -46,13 +53,16 @@ struct SideTraction {
 /// The tractions of one contact, on rank 0.
 class OneContact {
  public:
-  OneContact(const TouchingSides& contact, int dimension, int degree) : contact_(contact), dimension_(dimension), degree_(degree) {}
+  /// \param law  null: its friction depends on more than a constant
+  OneContact(const TouchingSides& contact, int dimension, int degree, const ContactLaw* law)
+      : contact_(contact), dimension_(dimension), degree_(degree), law_(law) {}
 
   void add(const TouchingSide& side) { (side.onA ? a_ : b_).push_back(&side); }
-  void add(const TouchingPair& pair, const PairResult& result) {
-    isUnilateral_ = isUnilateral_ && pair.isUnilateral;
-    isSimple_ = isSimple_ && pair.isSimple;
-    pairs_.push_back({pair, result});
+  void add(const ContactNodes::Pair& own) {
+    separates_ = separates_ && own.pair.separates;
+    restrictsSliding_ = restrictsSliding_ || own.pair.restrictsSliding;
+    isSimple_ = isSimple_ && own.pair.isSimple;
+    pairs_.push_back(own);
   }
 
   void find(ContactTractions& all, std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
@@ -69,25 +79,117 @@ class OneContact {
 
   /// Returns the reason if there are none.
   std::string findTractions(ContactTractions& all, std::vector<SideTraction>& tractions) {
-    if (contact_.isSoft) return "it is softened";
-    if (!isUnilateral_) return "it has friction, or does not separate";
-    if (contact_.isInterpolated) return "its gap varies between the nodes";
+    if (contact_.isSoft) {
+      if (restrictsSliding_ || !separates_) return "it is softened and not frictionless";
+      if (!isSimple_) return "it is softened and its sides are coupled by mortar";
+      // Its pairs press outer nodes of the springs.
+      for (const TouchingSide* side : a_) stiffness_ = std::max(stiffness_, side->stiffness);
+      if (!(stiffness_ > 0.0)) return "its springs are not known";
+      for (ContactNodes::Pair& own : pairs_) own.pair.a = own.result.node;
+    }
+    if (contact_.isInterpolated && separates_) return "its gap varies between the nodes";
     if (!isSimple_ && contact_.groupsB.empty()) return "conditions on an obstacle involve several nodes";
     ContactNodes nodes(sideNodes(), a_, b_);
     if (isSimple_)
       nodes.addPairs(pairs_);
-    else if (const std::string mismatch = nodes.addPlaces(pairs_); !mismatch.empty())
+    else if (const std::string mismatch = nodes.addPlaces(pairs_, !separates_ && restrictsSliding_); !mismatch.empty())
       return mismatch;
     Sides pressed, others;
     PressedSides sides;
     const std::string problem = collect(nodes, sides, pressed, others);
     if (!problem.empty()) return problem;
+    sides.mayPull = !separates_;
     const Pressures pressures = admissiblePressures(sides);
     if (!pressures.feasible) return "its nodal forces are not those of any pressure";
-    addTractions(nodes, pressed, others, pressures, tractions);
-    addGap(nodes, sides, pressures, all);
-    addRests(nodes, pressures, all);
+    const FrictionTractions friction = tangentialStresses(nodes, sides);
+    if (!friction.feasible) return "its nodal forces are not those of any friction stress";
+    addTractions(nodes, pressed, others, pressures.values, friction.values, tractions);
+    if (separates_) {
+      addGap(nodes, sides, pressures, all);
+      if (restrictsSliding_) addFriction(nodes, sides, friction, all);
+    } else {
+      close(nodes, all);
+    }
+    std::vector<Point> rests;
+    for (std::size_t i = 0; i < nodes.all().size(); ++i) rests.push_back(scaled(pressures.rest[i], nodes.all()[i].normal));
+    addRests(nodes, pressures.clusters, rests, all);
+    for (std::size_t i = 0; i < rests.size(); ++i) rests[i] = along(nodes.all()[i].normal, friction.rest[i]);
+    addRests(nodes, friction.clusters, rests, all);
     return "";
+  }
+
+  /// Vector with these components along the tangents of a normal.
+  Point along(const Point& normal, const std::array<double, 2>& components) const {
+    const std::vector<Point> frame = pairFrame(normal, dimension_);
+    Point sum{0, 0, 0};
+    for (int k = 1; k < dimension_; ++k) sum = plus(sum, scaled(components[std::size_t(k - 1)], frame[std::size_t(k)]));
+    return sum;
+  }
+  std::array<double, 2> tangentialPart(const ContactNode& node, const Point& vector) const {
+    const std::vector<Point> frame = pairFrame(node.normal, dimension_);
+    return {dot(vector, frame[1]), dimension_ == 3 ? dot(vector, frame[2]) : 0.0};
+  }
+
+  /// Stresses of friction, or of any size where the sides are tied.
+  FrictionTractions tangentialStresses(const ContactNodes& nodes, const PressedSides& sides) const {
+    FrictionForces forces;
+    for (const ContactNode& node : nodes.all()) {
+      forces.tangential.push_back(tangentialPart(node, node.tangential));
+      forces.bounds.push_back(std::max(node.bound, norm(node.tangential)));
+      forces.slips.push_back(char(node.slips));
+    }
+    if (restrictsSliding_ && separates_) {
+      if (const std::optional<double> bound = constantBound(nodes, sides)) forces.given = *bound;
+      return frictionTractions(sides, forces);
+    }
+    FrictionTractions result;
+    result.feasible = true;
+    result.rest.assign(sides.places.size(), {0.0, 0.0});
+    for (int k = 0; k < 2; ++k) {
+      PressedSides own = sides;
+      own.mayPull = true;
+      for (std::size_t i = 0; i < own.forces.size(); ++i) own.forces[i] = restrictsSliding_ ? forces.tangential[i][k] : 0.0;
+      const Pressures stresses = admissiblePressures(own);
+      result.values[k] = stresses.values;
+      result.feasible = result.feasible && stresses.feasible;
+    }
+    return result;
+  }
+
+  /// The bound of Tresca friction if it is the same everywhere and all nodes touch, so that it acts on all sides.
+  std::optional<double> constantBound(const ContactNodes& nodes, const PressedSides& sides) const {
+    if (!law_) return std::nullopt;
+    const auto at = [&](const Point& place) {
+      ContactTrial trial;
+      trial.force = {1, 0, 0};
+      trial.size = 1.0;
+      trial.place = place;
+      return law_->project(trial, PairStatus::Stick);
+    };
+    std::optional<double> all;
+    for (const TouchingSide* side : a_) {
+      std::vector<Point> points;
+      for (int j = 0; j < sideNodes(); ++j) points.push_back(side->places[j]);
+      for (const Point& point : points) {
+        const ContactState state = at(point);
+        if (state.friction != 0.0 || (all && *all != state.bound)) return std::nullopt;
+        all = state.bound;
+      }
+      // In the order of SideGeometry: values between the nodes are interpolated only if they are equal too.
+      if (!isInterpolated({points.begin(), points.begin() + dimension_}, dimension_, [&](const Point& p) { return at(p).bound; }))
+        return std::nullopt;
+    }
+    if (!all) return std::nullopt;
+    const Vector integrals = sideMass(dimension_, degree_).rowwise().sum();
+    std::vector<double> bounds(nodes.all().size(), 0.0);
+    for (int side = 0; side < sides.sides(); ++side)
+      for (int i = 0; i < sides.sideNodes(); ++i)
+        bounds[std::size_t(sides.nodesOf(side)[i])] += *all * integrals[i] * sides.sizes[std::size_t(side)];
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      const ContactNode& node = nodes.all()[i];
+      if (!node.isClosed || std::abs(node.bound - bounds[i]) > kSameNormal * *all * sides.sizes[0]) return std::nullopt;
+    }
+    return all;
   }
 
   std::string collect(const ContactNodes& nodes, PressedSides& sides, Sides& pressed, Sides& others) const {
@@ -124,12 +226,15 @@ class OneContact {
     return pressed.empty() ? "no side of it faces another" : "";
   }
 
-  void addTractions(const ContactNodes& nodes, const Sides& pressed, const Sides& others, const Pressures& pressures,
-                    std::vector<SideTraction>& tractions) const {
+  void addTractions(const ContactNodes& nodes, const Sides& pressed, const Sides& others, const Matrix& pressures,
+                    const std::array<Matrix, 2>& friction, std::vector<SideTraction>& tractions) const {
     for (std::size_t s = 0; s < pressed.size(); ++s) {
       SideTraction own{pressed[s]->rank, pressed[s]->number};
       const Point& normal = nodes.all()[nodes.indexOf(pressed[s]->nodes[0])].normal;
-      for (int j = 0; j < sideNodes(); ++j) own.values[j] = scaled(-pressures.values(j, int(s)), normal);
+      for (int j = 0; j < sideNodes(); ++j) {
+        const Point slid = along(normal, {friction[0](j, int(s)), friction[1](j, int(s))});
+        own.values[j] = scaled(-1.0, plus(scaled(pressures(j, int(s)), normal), slid));
+      }
       tractions.push_back(own);
       if (others.empty()) continue;
       SideTraction other{others[s]->rank, others[s]->number};
@@ -157,7 +262,7 @@ class OneContact {
     const std::map<GlobalId, double> stiffness = nodalStiffness();
     for (std::size_t i = 0; i < heights.size(); ++i) {
       heights[i] += more[i];
-      if (!(heights[i] > 0.0)) continue;
+      if (!(heights[i] > 0.0) || contact_.isSoft) continue;
       const ContactNode& node = nodes.all()[i];
       // The energy of both lifts together is least if they are as their compliances.
       const double ofA = node.b < 0 ? 1.0 : stiffness.at(node.b) / (stiffness.at(node.a) + stiffness.at(node.b));
@@ -165,8 +270,14 @@ class OneContact {
       if (node.b >= 0) move(all.lifts[node.b], (1.0 - ofA) * heights[i], node.normal);
       all.liftWork += node.force * heights[i];
     }
-    all.gapWork += 2 * gapWork(sides, pressures.values, gapsOf(std::vector<double>(heights.size(), 0.0)));
-    all.liftedGapWork += 2 * std::max(0.0, gapWork(sides, pressures.values, gapsOf(heights)));
+    const double lifted = 2 * std::max(0.0, gapWork(sides, pressures.values, gapsOf(heights)));
+    all.liftedGapWork += lifted;
+    if (contact_.isSoft) {
+      all.gapWork += lifted;
+      addLayer(nodes, sides, pressures, heights, all);
+    } else {
+      all.gapWork += 2 * gapWork(sides, pressures.values, gapsOf(std::vector<double>(heights.size(), 0.0)));
+    }
   }
 
   static void move(Point& place, double by, const Point& direction) { place = plus(place, scaled(by, direction)); }
@@ -175,21 +286,80 @@ class OneContact {
     std::map<GlobalId, double> all;
     for (const Sides* sides : {&a_, &b_})
       for (const TouchingSide* side : *sides)
-        for (int j = 0; j < sideNodes(); ++j) all[side->nodes[j]] = std::max(all[side->nodes[j]], side->stiffness);
+        for (int j = 0; j < sideNodes(); ++j) all[side->nodes[j]] = std::max(all[side->nodes[j]], side->young);
     return all;
   }
 
-  void addRests(const ContactNodes& nodes, const Pressures& pressures, ContactTractions& all) const {
-    for (const std::vector<int>& cluster : pressures.clusters) {
+  /// Springs of a softened contact: lifts shorten them, and do not move the body.
+  void addLayer(const ContactNodes& nodes, const PressedSides& sides, const Pressures& pressures, const std::vector<double>& heights,
+                ContactTractions& all) const {
+    const double k = stiffness_;
+    Matrix found(sides.sideNodes(), sides.sides()), lifted = found;
+    for (int s = 0; s < sides.sides(); ++s)
+      for (int j = 0; j < sides.sideNodes(); ++j) {
+        const int node = sides.nodesOf(s)[j];
+        found(j, s) = nodes.all()[node].shortening;
+        lifted(j, s) = found(j, s) + heights[std::size_t(node)];
+      }
+    const Matrix deviation = pressures.values - k * lifted;
+    all.layerWork += gapWork(sides, deviation, deviation) / k;
+    const double before = k * gapWork(sides, found, found);
+    all.layerEnergy += before;
+    all.layerLift += (k * gapWork(sides, lifted, lifted) - before) / 2;
+  }
+
+  void addFriction(const ContactNodes& nodes, const PressedSides& sides, const FrictionTractions& friction, ContactTractions& all) const {
+    std::array<Matrix, 2> slips;
+    for (Matrix& own : slips) own.resize(sides.sideNodes(), sides.sides());
+    for (int s = 0; s < sides.sides(); ++s)
+      for (int j = 0; j < sides.sideNodes(); ++j) {
+        const ContactNode& node = nodes.all()[sides.nodesOf(s)[j]];
+        const std::array<double, 2> slip = tangentialPart(node, node.slip);
+        slips[0](j, s) = slip[0], slips[1](j, s) = slip[1];
+      }
+    const double work = 2 * std::max(0.0, slipWork(sides, friction, slips));
+    all.gapWork += work;
+    all.liftedGapWork += work;
+    all.frictionEnergy += frictionEnergy(sides, friction, slips);
+    if (friction.isGiven) return;
+    const Matrix& mass = sideMass(dimension_, degree_);
+    std::vector<double> moments(nodes.all().size(), 0.0);
+    for (int s = 0; s < sides.sides(); ++s) {
+      const Vector own = sides.sizes[std::size_t(s)] * mass * friction.bounds.col(s);
+      for (int j = 0; j < sides.sideNodes(); ++j) moments[std::size_t(sides.nodesOf(s)[j])] += own[j];
+    }
+    double sum = 0.0, change = 0.0;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      sum += nodes.all()[i].boundOfLaw;
+      change += std::abs(moments[i] - nodes.all()[i].boundOfLaw);
+    }
+    all.boundChange = std::max(all.boundChange, sum > 0.0 ? change / sum : 0.0);
+  }
+
+  /// Moves side A so that sides that do not separate touch exactly.
+  void close(const ContactNodes& nodes, ContactTractions& all) const {
+    for (const ContactNode& node : nodes.all()) {
+      Point step = scaled(node.gap, node.normal);
+      if (restrictsSliding_) step = minus(step, node.slip);
+      if (step == Point{0, 0, 0}) continue;
+      Point& value = all.lifts[node.a];
+      value = plus(value, step);
+      all.liftWork -= node.force * dot(step, node.normal) + dot(node.tangential, step);
+    }
+  }
+
+  void addRests(const ContactNodes& nodes, const std::vector<std::vector<int>>& clusters, const std::vector<Point>& rests,
+                ContactTractions& all) const {
+    for (const std::vector<int>& cluster : clusters) {
       UnbalancedForces onA, onB;
       for (const int i : cluster) {
         const ContactNode& node = nodes.all()[i];
-        if (pressures.rest[i] == 0.0) continue;
+        if (rests[i] == Point{0, 0, 0}) continue;
         onA.nodes.push_back(node.a);
-        onA.forces.push_back(scaled(pressures.rest[i], node.normal));
+        onA.forces.push_back(rests[i]);
         if (node.b < 0) continue;
         onB.nodes.push_back(node.b);
-        onB.forces.push_back(scaled(-pressures.rest[i], node.normal));
+        onB.forces.push_back(scaled(-1.0, rests[i]));
       }
       if (!onA.nodes.empty()) all.rests.push_back(std::move(onA));
       if (!onB.nodes.empty()) all.rests.push_back(std::move(onB));
@@ -198,13 +368,16 @@ class OneContact {
 
   const TouchingSides& contact_;
   int dimension_, degree_;
-  bool isUnilateral_ = true, isSimple_ = true;
+  const ContactLaw* law_;
+  double stiffness_ = 0.0;  // stiffness of springs [stress / length]
+  bool separates_ = true, restrictsSliding_ = false, isSimple_ = true;
   Sides a_, b_;
   std::vector<ContactNodes::Pair> pairs_;
 };
 
 template <int D>
-std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& solution, const BoundParts<D>& parts) {
+std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts,
+                                    const BoundParts<D>& parts) {
   using Nodes = SimplexNodes<D>;
   std::vector<TouchingSide> all;
   const auto add = [&](int contact, int number, bool onA) {
@@ -239,7 +412,13 @@ std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& sol
     for (int k = 0; k < D; ++k) opposite[k] = element.places(k, place.opposite);
     if (dot(normal, minus(side.places[0], opposite)) < 0) normal = scaled(-1.0, normal);
     side.normal = unit(normal);
-    side.stiffness = 1.0 / element.compliance.diagonal().minCoeff();
+    side.young = 1.0 / element.compliance.diagonal().minCoeff();
+    const int vertex = nodes[local(element.vertices[place.opposite])];
+    for (const Coating& coating : mesh.coatings) {
+      if (!onA || coating.contact != contacts.touching[contact].line || coating.element != place.element) continue;
+      const std::vector<int> inner = mesh.innerNodes(coating);
+      if (std::find(inner.begin(), inner.end(), vertex) == inner.end()) side.stiffness = coating.normal;
+    }
     all.push_back(side);
   };
   for (std::size_t i = 0; i < parts.onA.size(); ++i) {
@@ -250,32 +429,50 @@ std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& sol
 }
 
 /// The tractions of all contacts, on rank 0. \param kind  dimension and degree
-void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, std::array<int, 2> kind,
+void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws, std::array<int, 2> kind,
              const std::vector<TouchingSide>& sides, const std::vector<TouchingPair>& pairs, const std::vector<BalancedForce>& forces,
              ContactTractions& result, std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
   std::vector<OneContact> all;
   std::map<int, std::size_t> ofLine;
   for (std::size_t i = 0; i < contacts.touching.size(); ++i) {
-    all.emplace_back(contacts.touching[i], kind[0], kind[1]);
-    ofLine[contacts.touching[i].line] = i;
+    const int line = contacts.touching[i].line;
+    all.emplace_back(contacts.touching[i], kind[0], kind[1], laws ? &laws->of(line) : nullptr);
+    ofLine[line] = i;
   }
   for (const TouchingSide& side : sides) all[side.contact].add(side);
   std::map<int, const TouchingPair*> byId;
   for (const TouchingPair& pair : pairs) byId[pair.id] = &pair;
-  std::map<int, PairResult> resultOf;
-  for (const PairResult& own : solution.pairs) resultOf[own.id] = own;
-  for (const BalancedForce& own : forces)
-    if (resultOf.count(own.id)) resultOf[own.id].force = own.force;
+  std::map<int, ContactNodes::Pair> resultOf;
+  for (const PairResult& own : solution.pairs) resultOf[own.id] = {{}, own, own.tangential, own.bound};
+  for (const BalancedForce& own : forces) {
+    const auto found = resultOf.find(own.id);
+    if (found == resultOf.end()) continue;
+    PairResult& result = found->second.result;
+    result.force = own.force;
+    if (result.isBounded()) result.bound = result.state.largest(own.force);
+    found->second.tangential = own.tangential;
+    found->second.bound = own.bound;
+  }
   for (const auto& [id, pair] : byId) {
     const auto line = ofLine.find(pair->line);
-    if (line != ofLine.end() && resultOf.count(id)) all[line->second].add(*pair, resultOf.at(id));
+    const auto found = resultOf.find(id);
+    if (line == ofLine.end() || found == resultOf.end()) continue;
+    found->second.pair = *pair;
+    all[line->second].add(found->second);
   }
   for (OneContact& contact : all) contact.find(result, tractions, reasons);
+  if (result.boundChange < 0.0) return;
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(1) << result.boundChange;
+  reasons.insert(
+      "friction: proved for given bounds of the friction stress, which differ from those of the contact laws for the forces of "
+      "this solution by " +
+      text.str() + " of their sum");
 }
 
 /// The same on all ranks. Collective. \param reasons  on rank 0
-ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, std::array<int, 2> kind,
-                                 const std::vector<TouchingSide>& sidesHere, std::vector<SideTraction>& tractions,
+ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws,
+                                 std::array<int, 2> kind, const std::vector<TouchingSide>& sidesHere, std::vector<SideTraction>& tractions,
                                  std::set<std::string>& reasons) {
   ContactTractions result;
   std::vector<TouchingPair> pairsHere;
@@ -283,18 +480,24 @@ ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& soluti
     for (const ContactRow& row : mesh.contactRows) pairsHere.push_back(touchingPair(row));
   std::vector<BalancedForce> forcesHere;
   if (solution.balancing)
-    for (const auto& [id, force] : solution.balancing->forces) forcesHere.push_back({id, force.force});
+    for (const auto& [id, force] : solution.balancing->forces)
+      forcesHere.push_back({id, force.force, force.state.largest(force.force), force.tangential});
   const std::vector<TouchingSide> sides = joinOnRoot(comm, sidesHere);
   const std::vector<TouchingPair> pairs = joinOnRoot(comm, pairsHere);
   const std::vector<BalancedForce> forces = joinOnRoot(comm, forcesHere);
   collectivelyOnRoot(comm, "finding contact pressures",
-                     [&] { findAll(solution, contacts, kind, sides, pairs, forces, result, tractions, reasons); });
+                     [&] { findAll(solution, contacts, laws, kind, sides, pairs, forces, result, tractions, reasons); });
   Packer packer;
   packer.put(tractions);
   packer.put(result.lifts);
   packer.put(result.gapWork);
   packer.put(result.liftedGapWork);
   packer.put(result.liftWork);
+  packer.put(result.frictionEnergy);
+  packer.put(result.layerWork);
+  packer.put(result.layerEnergy);
+  packer.put(result.layerLift);
+  packer.put(result.boundChange);
   packer.put(static_cast<int>(result.rests.size()));
   for (const UnbalancedForces& rest : result.rests) packer.put(rest.nodes), packer.put(rest.forces);
   Unpacker unpacker(broadcast(comm, packer.bytes()));
@@ -303,6 +506,11 @@ ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& soluti
   unpacker.get(result.gapWork);
   unpacker.get(result.liftedGapWork);
   unpacker.get(result.liftWork);
+  unpacker.get(result.frictionEnergy);
+  unpacker.get(result.layerWork);
+  unpacker.get(result.layerEnergy);
+  unpacker.get(result.layerLift);
+  unpacker.get(result.boundChange);
   result.rests.resize(static_cast<std::size_t>(unpacker.get<int>()));
   for (UnbalancedForces& rest : result.rests) unpacker.get(rest.nodes), unpacker.get(rest.forces);
   return result;
@@ -311,11 +519,12 @@ ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& soluti
 }  // namespace
 
 template <int D>
-ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, BoundParts<D>& parts) {
+ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws,
+                                  BoundParts<D>& parts) {
   if (contacts.touching.empty()) return {};
   std::vector<SideTraction> tractions;
-  ContactTractions result =
-      agreedTractions(comm, solution, contacts, {D, parts.degree}, sidesHere(comm, solution, parts), tractions, parts.reasons);
+  ContactTractions result = agreedTractions(comm, solution, contacts, laws, {D, parts.degree}, sidesHere(comm, solution, contacts, parts),
+                                            tractions, parts.reasons);
   for (const SideTraction& own : tractions) {
     if (own.rank != comm.getRank()) continue;
     SideCondition<D>& side = parts.boundary[own.number];
@@ -329,7 +538,7 @@ ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solut
   return result;
 }
 
-template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, BoundParts<2>&);
-template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, BoundParts<3>&);
+template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, const ContactLaws*, BoundParts<2>&);
+template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, const ContactLaws*, BoundParts<3>&);
 
 }  // namespace suture

@@ -1,4 +1,5 @@
 #include <suture/answer/bound/AirySweeps.hpp>
+#include <suture/answer/bound/BoundWithLaws.hpp>
 #include <suture/answer/bound/ContactTractions.hpp>
 #include <suture/answer/bound/EquilibratedTractions.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
@@ -54,6 +55,10 @@ ErrorBound notAvailable(const std::string& reason) {
   return bound;
 }
 
+bool hasPointForce(const ElasticModel& model) {
+  return std::any_of(model.loads.begin(), model.loads.end(), [](const Load& load) { return load.kind == Load::Kind::PointForce; });
+}
+
 /// Squared energies of the own simplices after some sweeps.
 template <typename Sweeps, typename Mesh>
 Vector improved(const Mesh& mesh, const Matrix& tractions, int sweeps, double& imbalance) {
@@ -64,13 +69,14 @@ Vector improved(const Mesh& mesh, const Matrix& tractions, int sweeps, double& i
 }
 
 template <int D>
-ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, int degree, int sweeps) {
+ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws, int degree,
+                   int sweeps) {
   BoundParts<D> parts;
   collectively(comm, "bounding the error", [&] {
     parts = boundParts<D>(solution, contacts, degree);
     if (comm.getRank() == 0) parts.reasons.insert(solution.reasons.begin(), solution.reasons.end());
   });
-  const ContactTractions contact = contactTractions<D>(comm, solution, contacts, parts);
+  const ContactTractions contact = contactTractions<D>(comm, solution, contacts, laws, parts);
   Vector lifted;
   collectively(comm, "bounding the error", [&] { lifted = liftEnergies<D>(parts, solution, contact.lifts); });
   if (!carryRestForces(comm, solution, contact.rests, parts))
@@ -79,7 +85,8 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   const EquilibratedTractions<D> tractions = equilibratedTractions(mesh);
   if (tractions.unbalanced > 0) {
     parts.reasons.insert("forces at " + std::to_string(tractions.unbalanced) + (tractions.unbalanced == 1 ? " node are" : " nodes are") +
-                         " not balanced by tractions, most near " + placeText(tractions.worst, D));
+                         " not balanced by tractions, most near " + placeText(tractions.worst, D) +
+                         (hasPointForce(solution.model) ? ": forces at points have an infinite exact energy" : ""));
     if (!solution.notBalanced.empty()) parts.reasons.insert(solution.notBalanced);
   }
   ErrorBound bound;
@@ -96,17 +103,18 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   bound.exists = true;
   bound.reasons = everywhere(comm, parts.reasons);
   bound.strict = bound.reasons.empty();
-  bound.solutionNorm = std::sqrt(sumOver(comm, parts.solutionNorm));
+  bound.solutionNorm = std::sqrt(sumOver(comm, parts.solutionNorm) + contact.layerEnergy);
   bound.oscillation = std::sqrt(sumOver(comm, parts.oscillation));
   const double stresses = std::max(0.0, sumOver(comm, squares.sum())), lift = sumOver(comm, lifted.sum());
-  const double square = stresses + contact.liftedGapWork + lift;
+  const double square = stresses + contact.liftedGapWork + contact.layerWork + lift;
   // The correction of the solver is orthogonal to the rest before the sweeps, and nearly so after them.
   const double algebraic = solution.balancing ? solution.balancing->energy : 0.0;
   bound.algebraic = std::sqrt(algebraic);
   bound.discretisation = std::sqrt(std::max(0.0, square - algebraic));
   bound.total = std::sqrt(square) + bound.oscillation + kRoundOffOfSolution * bound.solutionNorm;
-  bound.energyUpper = solution.energy + contact.liftWork + lift / 2;
-  bound.energyLower = solution.energy - (stresses + contact.gapWork) / 2;
+  const double energy = solution.energy + contact.layerLift + contact.frictionEnergy;
+  bound.energyUpper = energy + contact.liftWork + lift / 2;
+  bound.energyLower = energy - (stresses + contact.gapWork + contact.layerWork) / 2;
   for (std::size_t m = 0; m < solution.meshes.size(); ++m) {
     bound.ofElements.emplace_back(solution.meshes[m].elements());
     for (int e = 0; e < solution.meshes[m].elements(); ++e)
@@ -115,9 +123,8 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   return bound;
 }
 
-}  // namespace
-
-ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int sweeps) {
+/// \param laws  null: unknown
+ErrorBound boundWith(const Comm& comm, const BoundedSolution& solution, const ContactLaws* laws, int sweeps) {
   const int dimension = agreedDimensionOf(comm, solution.meshes);
   const BoundaryParts parts = broadcastParts(comm, solution.parts);
   if (!parts.isKnown) return notAvailable("the mesh was partitioned by suture_partition");
@@ -127,7 +134,15 @@ ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int swe
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 3, here, all);
   if (all[0] != 0) return notAvailable("the mesh has cells other than triangles and tetrahedra");
   if (-all[1] != all[2]) return notAvailable("the mesh has elements of both orders");
-  return dimension == 3 ? boundOf<3>(comm, solution, parts, all[2], sweeps) : boundOf<2>(comm, solution, parts, all[2], sweeps);
+  return dimension == 3 ? boundOf<3>(comm, solution, parts, laws, all[2], sweeps) : boundOf<2>(comm, solution, parts, laws, all[2], sweeps);
+}
+
+}  // namespace
+
+ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int sweeps) { return boundWith(comm, solution, nullptr, sweeps); }
+
+ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, const ContactLaws& laws, int sweeps) {
+  return boundWith(comm, solution, &laws, sweeps);
 }
 
 }  // namespace suture

@@ -1,5 +1,7 @@
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <suture/answer/bound/NonnegativeFit.hpp>
 
 namespace suture {
@@ -56,18 +58,38 @@ class SelectedNormal {
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
 };
 
-/// True if y proves that C x = b has no solution x >= 0. Each solution has  m.x = sum of b,  m the sums of the columns. If all of them are
-/// positive,  b.y = x.C^T y <= (sum of b) max_i (C^T y)_i / m_i.
+/// True if y proves that C x = b has no solution x >= 0, and none within other limits above zero. Each solution has  m.x = sum of b,  m the
+/// sums of the columns. If all of them are positive,  b.y = x.C^T y <= (sum of b) max_i (C^T y)_i / m_i.
 bool provesInfeasible(const Vector& work, const Vector& sums, const Vector& products, const Vector& targets) {
   if (sums.minCoeff() <= 0) return false;
   return targets.dot(work) > targets.sum() * (products.array() / sums.array()).maxCoeff() + 1e-9 * targets.cwiseAbs().dot(work.cwiseAbs());
 }
 
+/// Limits of the unknowns.
+struct Limits {
+  Vector low, high;
+
+  explicit Limits(const NonnegativeProblem& problem)
+      : low(problem.lowest.size() > 0 ? problem.lowest : Vector(Vector::Zero(problem.start.size()))),
+        high(problem.highest.size() > 0 ? problem.highest
+                                        : Vector(Vector::Constant(problem.start.size(), std::numeric_limits<double>::infinity()))) {}
+  Vector cut(const Vector& z) const { return z.cwiseMax(low).cwiseMin(high); }
+  bool isInside(const Vector& z, Eigen::Index i) const { return z[i] > low[i] && z[i] < high[i]; }
+  /// Change of a cut value as its argument grows from z to z + d: not a difference of large numbers.
+  double change(double z, double d, Eigen::Index i) const {
+    if (z <= low[i]) return std::min(std::max(z - low[i] + d, 0.0), high[i] - low[i]);
+    if (z >= high[i]) return std::max(std::min(z - high[i] + d, 0.0), low[i] - high[i]);
+    return std::min(std::max(d, low[i] - z), high[i] - z);
+  }
+};
+
 /// Step length t along which the slope of the dual function becomes small. It grows with t:
-///   sum_i w_i (max(0, z_i + t d_i) - max(0, z_i)) d_i - work,  `work` = (b - C x).step;  differences, because x is much larger than steps.
-double stepLength(const Vector& weights, const Vector& z, const Vector& d, double work) {
+///   sum_i w_i (x_i(z_i + t d_i) - x_i(z_i)) d_i - work,  `work` = (b - C x).step;  differences, because x is much larger than steps.
+double stepLength(const Vector& weights, const Limits& limits, const Vector& z, const Vector& d, double work) {
   const auto slope = [&](double t) {
-    return ((z.array() > 0).select((t * d).cwiseMax(-z), (z + t * d).cwiseMax(0.0)).array() * d.array() * weights.array()).sum() - work;
+    double sum = -work;
+    for (Eigen::Index i = 0; i < z.size(); ++i) sum += limits.change(z[i], t * d[i], i) * d[i] * weights[i];
+    return sum;
   };
   double low = 0, high = 0, t = 1;
   for (int trial = 0; trial < kMostTrials; ++trial) {
@@ -83,8 +105,10 @@ double stepLength(const Vector& weights, const Vector& z, const Vector& d, doubl
 
 NonnegativeSolution nonnegativeFit(const NonnegativeProblem& problem) {
   const Vector &weights = problem.weights, &start = problem.start;
+  const Limits limits(problem);
+  const bool isNonnegative = problem.lowest.size() == 0;
   NonnegativeSolution best;
-  best.values = start.cwiseMax(0.0);
+  best.values = limits.cut(start);
   best.misfit = problem.targets - problem.columns * best.values;
   if (problem.targets.size() == 0) return best.converged = true, best;
   const double largest = problem.targets.cwiseAbs().maxCoeff();
@@ -98,18 +122,20 @@ NonnegativeSolution nonnegativeFit(const NonnegativeProblem& problem) {
   Vector y = Vector::Zero(targets.size());
   double before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps; ++step) {
-    const Vector products = columns.transpose() * y, z = start + products.cwiseQuotient(weights), x = z.cwiseMax(0.0);
+    const Vector products = columns.transpose() * y, z = start + products.cwiseQuotient(weights), x = limits.cut(z);
     const Vector misfit = targets - columns * x;
     const double now = misfit.cwiseQuotient(scale).cwiseAbs().maxCoeff();
     if (step == 0 || now < best.misfit.cwiseAbs().maxCoeff()) best.values = x, best.misfit = misfit.cwiseQuotient(scale), best.steps = step;
     if (now <= kRoundOff * largest || (now <= kConverged * largest && now > 0.5 * before)) break;
-    if (provesInfeasible(scale.cwiseProduct(y), sums, products, problem.targets)) break;
+    if (isNonnegative && provesInfeasible(scale.cwiseProduct(y), sums, products, problem.targets)) break;
     const double shift = std::max(kLeastShift, kShift * std::min(1.0, misfit.norm() / targets.norm()));
-    const Vector active = (z.array() > 0).select(weights.cwiseInverse(), 0.0);
+    Vector active = Vector::Zero(z.size());
+    for (Eigen::Index i = 0; i < z.size(); ++i)
+      if (limits.isInside(z, i)) active[i] = 1 / weights[i];
     const Vector change = normal.solve(active, shift, misfit);
     if (!change.allFinite()) break;
     const Vector moved = (columns.transpose() * change).cwiseQuotient(weights);
-    y += stepLength(weights, z, moved, misfit.dot(change)) * change;
+    y += stepLength(weights, limits, z, moved, misfit.dot(change)) * change;
     before = now;
   }
   best.converged = best.misfit.cwiseAbs().maxCoeff() <= kConverged * largest;

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace suture {
@@ -10,10 +11,12 @@ namespace suture {
 struct PressedSides {
   int dimension = 2;
   int degree = 1;
-  std::vector<int> nodes;      ///< sides x sideNodes(): numbers of contact nodes, from 0
-  std::vector<double> sizes;   ///< length or area of each side [length or length^2]
-  std::vector<Point> places;   ///< contact nodes [length]
-  std::vector<double> forces;  ///< normal contact force of each node, positive in compression [force]
+  std::vector<int> nodes;                                  ///< sides x sideNodes(): numbers of contact nodes, from 0
+  std::vector<double> sizes;                               ///< length or area of each side [length or length^2]
+  std::vector<Point> places;                               ///< contact nodes [length]
+  std::vector<double> forces;                              ///< normal contact force of each node, positive in compression [force]
+  double limit = std::numeric_limits<double>::infinity();  ///< largest pressure [stress]
+  bool mayPull = false;                                    ///< true: pressures of any sign, for sides that do not separate; no limit
 
   int vertices() const { return dimension; }
   int sideNodes() const { return degree == 1 ? dimension : dimension * (dimension + 1) / 2; }

@@ -47,7 +47,8 @@ void SideConditions<D>::collect() {
     each(parts_.touching[i].groupsA, [&](OnSide& on) { on.onA.push_back(int(i)); });
     each(parts_.touching[i].groupsB, [&](OnSide& on) { on.onB.push_back(int(i)); });
   }
-  each(parts_.onSprings, [](OnSide& on) { on.onSprings = true; });
+  for (const ElasticSupport& support : model_.supports)
+    each(support.groups, [&](OnSide& on) { on.normalStiffness += support.normal, on.tangentialStiffness += support.tangential; });
   each(parts_.rigid, [](OnSide& on) { on.isRigid = true; });
   each(parts_.onMean, [](OnSide& on) { on.onMean = true; });
 }
@@ -93,9 +94,12 @@ SideCondition<D> SideConditions<D>::of(int element, int side, const std::vector<
             }))
           remark("tractions are not polynomials of the order of the elements");
     }
-  if (on.onSprings) remark("sides rest on elastic supports"), own.known = 0;
+  if (on.normalStiffness > 0.0 || on.tangentialStiffness > 0.0) support(own, on, normal, nodes);
   if (on.onMean) remark("mean displacements are prescribed");
-  if (on.isRigid) own.known = 0, own.kept = allComponents<D>;
+  if (on.isRigid) {
+    if (own.isSupported()) remark("a rigid group rests on an elastic support");
+    own.known = 0, own.kept = allComponents<D>;
+  }
   return own;
 }
 
@@ -141,6 +145,32 @@ void SideConditions<D>::holdAlongNormal(SideCondition<D>& own, unsigned held, co
     remark("a side is held along its normal and along another direction");
     own.known = 0;
   }
+}
+
+/// Along held components the traction is unknown and without energy.
+template <int D>
+void SideConditions<D>::support(SideCondition<D>& own, const OnSide& on, const Point& normal, const std::vector<int>& nodes) const {
+  int along = axisAlong(normal);  // axis of the normal
+  if (!own.axes.isIdentity(0.0)) {
+    along = 0;
+  } else if (along < 0 && own.known == allComponents<D>) {
+    const std::vector<Point> axes = pairFrame(normal, D);
+    for (int i = 0; i < D; ++i)
+      for (int k = 0; k < D; ++k) own.axes(i, k) = axes[i][k];
+    along = 0;
+  } else if (along < 0 && on.normalStiffness != on.tangentialStiffness) {
+    remark("a side on an elastic support is held along a direction oblique to its normal");
+    own.known = 0;
+    return;
+  }
+  for (int k = 0; k < D; ++k) {
+    const double stiffness = k == along ? on.normalStiffness : on.tangentialStiffness;
+    if (!(own.known >> k & 1u) || !(stiffness > 0.0)) continue;
+    own.known &= ~(1u << k);
+    own.compliance[k] = 1 / stiffness;
+  }
+  for (std::size_t j = 0; j < nodes.size(); ++j)
+    for (int k = 0; k < D; ++k) own.moved(k, int(j)) = mesh_.total(displacement_, D * Eigen::Index(nodes[j]) + k);
 }
 
 template <int D>

@@ -35,13 +35,15 @@ class SideConditions {
   struct OnSide {
     std::vector<const Load*> loads;
     std::vector<int> held, onA, onB;
-    bool onSprings = false, isRigid = false, onMean = false;
+    double normalStiffness = 0.0, tangentialStiffness = 0.0;  // elastic supports
+    bool isRigid = false, onMean = false;
   };
   void collect();
   void findInner();
   const OnSide& at(int element, int side) const;
   void hold(SideCondition<D>& own, const OnSide& on, const Point& normal, const std::vector<int>& nodes) const;
   void holdAlongNormal(SideCondition<D>& own, unsigned held, const Point& normal, const std::vector<int>& nodes) const;
+  void support(SideCondition<D>& own, const OnSide& on, const Point& normal, const std::vector<int>& nodes) const;
   void addTraction(const Load& load, const Point& normal, const std::vector<int>& nodes, SideCondition<D>& own) const;
   void remark(const char* reason) const { reasons_.insert(reason); }
 

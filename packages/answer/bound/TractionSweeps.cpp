@@ -1,6 +1,7 @@
 #include <suture/algebra/Lanes.hpp>
 #include <suture/answer/bound/SmallProducts.hpp>
 #include <suture/answer/bound/StressElement.hpp>
+#include <suture/answer/bound/SupportedSides.hpp>
 #include <suture/answer/bound/TractionSweeps.hpp>
 #include <suture/base/Collective.hpp>
 
@@ -76,12 +77,15 @@ void TractionSweeps<K>::assemble(const Matrix& tractions) {
       force = std::max(force, (resultants.cwiseAbs() * own.cwiseAbs()).maxCoeff());
     }
     stress.dataOf(element.places, element.stresses, computed);
+    const Vector given = own;
     own -= computed;
     Eigen::Matrix3d map;
     for (int i = 0; i < 3; ++i) map.col(i) = element.places.col(i + 1) - element.places.col(0);
     stress.gram(map, element.compliance, gram);
     product.noalias() = gram * own;
-    if (e < mesh_.own()) start_[e] = isFlat(map) ? stress.energy(map, element.compliance, own) : own.dot(product);
+    double energy = isFlat(map) ? stress.energy(map, element.compliance, own) : own.dot(product);
+    energy += addSupports(mesh_, e, given, gram, product);
+    if (e < mesh_.own()) start_[e] = energy;
     for (int a = 0; a < 4; ++a)
       loads_.col(e).template segment<count>(count * a) =
           faces_[mesh_.sidesOfElement(e)[a]].basis.transpose() * product.segment<count>(count * a);
