@@ -25,12 +25,12 @@ Load variable(Load load, const std::vector<std::string>& components) {
   return load;
 }
 
-struct Found {
+struct BoundedRun {
   ErrorBound bound;
   double energy = 0.0;
 };
 
-Found found(const Scene& scene, Teuchos::FancyOStream& out) {
+BoundedRun found(const Scene& scene, Teuchos::FancyOStream& out) {
   Simulation simulation(blocks::world(), scene);
   const Solution& solution = simulation.solve();
   for (const std::string& reason : solution.bound.value().reasons) out << reason << "\n";
@@ -97,7 +97,7 @@ TEUCHOS_UNIT_TEST(FrictionBounds, ExceedTheErrorOfASlidingBlock) {
   for (const int cells : {4, 8})
     for (const Cell cell : {Cell::Triangle3, Cell::Triangle6}) {
       const SlidingBlock block{cell, cells, 500};
-      const Found one = found(block.scene(dryFriction(SlidingBlock::friction, 0.0)), out);
+      const BoundedRun one = found(block.scene(dryFriction(SlidingBlock::friction, 0.0)), out);
       const double upper = one.bound.energyUpper, square = 2 * (upper - block.energy());
       TEST_ASSERT(one.bound.strict);
       TEST_COMPARE(std::abs(upper - one.energy - SlidingBlock::friction * block.slip()), <, 0.02 * std::abs(upper));
@@ -142,7 +142,7 @@ TEUCHOS_UNIT_TEST(FrictionBounds, HaveIntervalsThatMeet) {
   for (const Cell cell : {Cell::Triangle3, Cell::Triangle6}) {
     double lower = -1e300, upper = 1e300;
     for (const int cells : {2, 4, 8}) {
-      const Found one = found(pushedBlocks(cell, cells, dryFriction(420.0, 0.0)), out);
+      const BoundedRun one = found(pushedBlocks(cell, cells, dryFriction(420.0, 0.0)), out);
       out << static_cast<int>(cell) << " " << cells << ": " << one.bound.relative() << " [" << one.bound.energyLower << ", "
           << one.bound.energyUpper << "]\n";
       TEST_ASSERT(one.bound.strict);
@@ -157,7 +157,7 @@ TEUCHOS_UNIT_TEST(FrictionBounds, HaveIntervalsThatMeet) {
 
 TEUCHOS_UNIT_TEST(FrictionBounds, AreEstimatesForFrictionThatDependsOnPressure) {
   for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Tetrahedron4}) {
-    const Found one = found(pushedBlocks(cell, 4, dryFriction(100.0, 0.1)), out);
+    const BoundedRun one = found(pushedBlocks(cell, 4, dryFriction(100.0, 0.1)), out);
     out << one.bound.relative() << " change " << changeOf(one.bound) << "\n";
     TEST_ASSERT(onlyFriction(one.bound));
     TEST_COMPARE(changeOf(one.bound), >=, 0.0);
@@ -218,7 +218,7 @@ TEUCHOS_UNIT_TEST(FrictionBounds, HoldWhereSidesDoNotSeparate) {
       for (const double pull : {0.0, 2e4}) {
         ElasticModel model = heavy(dimensionOf(cell));
         if (pull > 0.0) model.loads.push_back(Load::pressure("b_top", -pull));
-        const Found one = found(SupportedColumn{cell, cells, 2}.scene(model, law), out);
+        const BoundedRun one = found(SupportedColumn{cell, cells, 2}.scene(model, law), out);
         // Strain (pull - w (2 - y)) / E'.
         const double w = kHeavy, exact = -(2 * pull * pull - 4 * pull * w + w * w * 8 / 3) / (2 * kColumn);
         TEST_ASSERT(one.bound.strict);
@@ -240,7 +240,7 @@ TEUCHOS_UNIT_TEST(FrictionBounds, HoldOnElasticSupports) {
   for (const auto& [cell, cells] : {std::pair(Cell::Triangle3, 6), std::pair(Cell::Triangle6, 3), std::pair(Cell::Tetrahedron4, 3)}) {
     ElasticModel model = heavy(dimensionOf(cell));
     model.supports = {{{"a_bottom"}, stiffness, 0.0}};
-    const Found one = found(SupportedColumn{cell, cells, 1}.scene(model, nullptr, true), out);
+    const BoundedRun one = found(SupportedColumn{cell, cells, 1}.scene(model, nullptr, true), out);
     const double exact = -kHeavy * kHeavy / (2 * stiffness) - kHeavy * kHeavy / (6 * kColumn);
     TEST_ASSERT(one.bound.strict);
     TEST_COMPARE(one.bound.energyLower, <=, exact + 1e-9 * std::abs(exact));
@@ -262,7 +262,7 @@ TEUCHOS_UNIT_TEST(FrictionBounds, HoldOnElasticSupports) {
 TEUCHOS_UNIT_TEST(FrictionBounds, HoldForSoftenedContact) {
   const double stiffness = 2e5;
   for (const auto& [cell, cells] : {std::pair(Cell::Triangle3, 6), std::pair(Cell::Triangle6, 3), std::pair(Cell::Tetrahedron4, 3)}) {
-    const Found one = found(SupportedColumn{cell, cells, 2}.scene(heavy(dimensionOf(cell)), nullptr, false, stiffness), out);
+    const BoundedRun one = found(SupportedColumn{cell, cells, 2}.scene(heavy(dimensionOf(cell)), nullptr, false, stiffness), out);
     const double exact = -kHeavy * kHeavy * (8.0 / 6 / kColumn + 1 / (2 * stiffness));
     TEST_ASSERT(one.bound.strict);
     TEST_FLOATING_EQUALITY(one.bound.solutionNorm * one.bound.solutionNorm, -2 * one.energy, 1e-8);
@@ -300,7 +300,7 @@ TEUCHOS_UNIT_TEST(FrictionBounds, VanishForAShearedBlockOnSprings) {
           return mesh;
         },
         {}, {}, settings);
-    const Found one = found(scene, out);
+    const BoundedRun one = found(scene, out);
     const double exact = -(push * push / 4e5 + press * press / 3e5 + push * push / (kStiff / 2) + press * press / kStiff) / 2;
     TEST_ASSERT(one.bound.strict);
     TEST_COMPARE(one.bound.relative(), <, 1e-7);
