@@ -28,6 +28,7 @@ class Bddc : public Preconditioner {
   ~Bddc() override;
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
+  double leastEigenvalue() const override { return 1.0; }
   double bytesRead() const override;
   std::string remark() const override;
 

@@ -24,6 +24,8 @@ class NeumannNeumann : public Preconditioner {
                  std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies = 0);
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
+  /// For T as above; a subclass with another T overrides it.
+  double leastEigenvalue() const override { return coarseSize() > 0 ? 1.0 : 0.0; }
 
  protected:
   void doInitialize() override;

@@ -38,6 +38,8 @@ class Preconditioner : public Operator {
   double setupSeconds() const { return setupSeconds_; }
   /// Dimension of the coarse problem; 0 if there is none.
   virtual int coarseSize() const { return 0; }
+  /// Lower bound of the eigenvalues of M^-1 S that theory gives, up to approximate coarse solves and stored inverses; 0: unknown. Local.
+  virtual double leastEigenvalue() const { return 0.0; }
   /// Bytes of this rank's memory read per application, without the coarse problem; 0 if unknown. Local.
   virtual double bytesRead() const { return 0.0; }
   /// Note for the user about automatic choices; empty if there are none. Collective.

@@ -11,6 +11,7 @@
 #include <suture/report/Units.hpp>
 #include <suture/report/answers/Answers.hpp>
 #include <suture/report/answers/Probes.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 namespace fs = std::filesystem;
 
@@ -55,12 +56,17 @@ std::string ending(const Run& run, double largestDisplacement) {
   return line + format(", forces balance to %.0e", answer.verification.balance.imbalance);
 }
 
-// "verified: balance, supports and contact hold; nearest to its bound: residual 2.1e-09 of 1.0e-06 (body 'left', (0, 3))"
-std::string verdict(const RunMonitor& monitor, const Verification& verification) {
+// "verified: balance, supports and contact hold to the automatic tolerance of 1.2e-04; nearest to its bound: residual 2.1e-09 of 1.0e-06
+// (body 'left', (0, 3))"
+std::string verdict(const Run& run) {
+  const RunMonitor& monitor = run.monitor;
+  const Verification& verification = run.solution.verification;
   const Check* worst = verification.worst();
   if (!worst) return "";
   if (!verification.holds()) return "   " + monitor.in(RunMonitor::Colour::Bad, "NOT VERIFIED: ") + verification.failure() + "\n";
   std::string line = "   " + monitor.in(RunMonitor::Colour::Good, "verified:") + " forces, supports and contact hold";
+  if (isAutomatic(*run.scene.parameters) && run.solution.discretisation)
+    line += format(" to the automatic tolerance of %.1e", requestedAccuracy(*run.scene.parameters, run.solution));
   if (worst->value > 0.0)
     line += format("; nearest to its bound: %s %.1e of %.1e", worst->name.c_str(), worst->value, worst->bound) + " (" + worst->where + ")";
   return line + "\n";
@@ -215,9 +221,9 @@ std::string advice(const std::string& indent) { return indent + "doc/convergence
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.monitor, run.solution.verification) << meshError(run.solution) << whatToTry(run) << pathWork(run)
-          << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << boundText(run.solution, run.model.dimension)
-          << forceErrors(run) << accuracy(run) << extremesText(run, figures.dimension);
+          << verdict(run) << meshError(run.solution) << whatToTry(run) << pathWork(run) << exactErrors(run.solution.errors)
+          << estimatedErrors(run.solution) << boundText(run.solution, run.model.dimension) << forceErrors(run) << accuracy(run)
+          << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB per rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;

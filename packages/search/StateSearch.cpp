@@ -237,13 +237,13 @@ bool StateSearch::step(PairStates& next) {
 
 /// Newton steps from states_ until the laws agree with a solution of the final accuracy.
 StateSearch::End StateSearch::newton(int most, int patience) {
-  const double last = solver_.tightest();
   int since = 0;
   std::vector<PairStates> tried;  // without friction, at the current accuracy: a state that recurs leads nowhere new
   isNew_ = true;
   best_.distance = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most;) {
     if (!goesOn()) return End::Exhausted;
+    const double last = solver_.tightest();  // it may change with each solve
     PairStates next;
     double turns = 0.0;
     if (!solve(next, turns)) return End::Failed;
@@ -375,13 +375,13 @@ StateSearch::End StateSearch::ascend() {
   if (from.force.size() == 0) return End::Stalled;
   const PadModel::Equilibrium pads = pads_.equilibrium(from, 1.0);
   if (!pads.found) return End::Stalled;
-  tolerance_ = solver_.tightest();
   End end = End::Stalled;
   const auto solve = [&](const ClosedSet& closed) -> const ContactAnswer* {
     if (!goesOn()) end = End::Exhausted;
     if (end == End::Exhausted) return nullptr;
     for (std::size_t i = 0; i < closed.size(); ++i)
       if (rigid_.data().canChange[i]) states_[i] = closed[i] ? PairStatus::Slip : PairStatus::Open;
+    tolerance_ = solver_.tightest();
     PairStates next;
     double turns = 0.0;
     if (this->solve(next, turns)) return &answer_;

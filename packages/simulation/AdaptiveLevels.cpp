@@ -42,7 +42,7 @@ class AdaptiveLevels {
       const double begin = Timers::now();
       const Next next = nextMesh();
       if (!reached_.limit.empty()) break;
-      if (!solve(next.scene)) break;
+      if (!solve(next)) break;
       end(Timers::now() - begin, next.refinement);
     }
     finish();
@@ -118,6 +118,16 @@ class AdaptiveLevels {
     return goal > kNear * step ? goal : step;
   }
 
+  /// Energy norm of the error on the next mesh: it falls as in the last refinement of this kind, but not below what is wanted.
+  double predictedError(const std::string& refinement) const {
+    const std::vector<AccuracyLevel>& levels = reached_.levels;
+    if (refinement == "uniform") return std::pow(0.5, order_) * error_.error;
+    double ratio = wantedError() / error_.error;
+    if (levels.size() > 1 && levels.back().refinement == refinement && levels[levels.size() - 2].error > 0.0)
+      ratio = std::max(ratio, levels.back().error / levels[levels.size() - 2].error);
+    return std::min(ratio, 1.0) * error_.error;
+  }
+
   /// True if the second mesh is a uniform refinement of the first one, whose cost is small beside that of the last mesh: the two give the
   /// rate of uniform refinement.
   bool measuresRate() const {
@@ -151,14 +161,16 @@ class AdaptiveLevels {
   }
 
   /// Solves the scene on another mesh, from the present solution. False: a limit is reached, and the present solution is unchanged.
-  bool solve(const Scene& scene) {
+  bool solve(const Next& wanted) {
     const RunContext run = judged_.run();
-    std::optional<CheckedScene> next = checked(scene);
+    std::optional<CheckedScene> next = checked(wanted.scene);
     if (!next) return false;
     try {
       PreparedScene prepared = prepare(*std::move(next));
       prepared.remark();
-      prepared.startFrom(nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes()));
+      Start start = nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes());
+      start.predictedError = predictedError(wanted.refinement);
+      prepared.startFrom(std::move(start));
       JudgedScene judged = judge(suture::solve(std::move(prepared)));
       const Solution& solution = judged.solution();
       if (solution.isValid() || solution.stopped) {

@@ -14,12 +14,12 @@ void acceptSearch(OuterSolver::Run& run, const StateSearch::Result& found) {
     run.result.unsettled = found.alternating;
     return;
   }
-  run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
+  run.solved = run.result.residual <= run.tolerance() || run.atFloor;
   if (run.atFloor && !run.done()) {
     std::ostringstream text;
     text.precision(2);
     text << std::scientific << "the residual stagnates at round-off: " << run.result.residual << ", above the tolerance of "
-         << run.settings.tolerance << "; this scene cannot be solved more accurately in this precision";
+         << run.tolerance() << "; this scene cannot be solved more accurately in this precision";
     run.monitor.note(text.str());
   }
   if (restricts && found.contraction >= 1.0)

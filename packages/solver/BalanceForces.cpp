@@ -1,6 +1,6 @@
 #include <suture/base/Errors.hpp>
-#include <suture/base/Numbers.hpp>
 #include <suture/solver/BalanceForces.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -96,7 +96,7 @@ InterfaceState withGivenBounds(const InterfaceProblem& problem, const InterfaceS
 }  // namespace
 
 bool wantsErrorBound(const Parameters& settings) {
-  if (settings.isSublist("Accuracy") && parseReal(settings.sublist("Accuracy").get<std::string>("Error"))) return true;
+  if (refinesMesh(settings)) return true;
   return settings.isSublist("Output") && settings.sublist("Output").isParameter("Error Bound") &&
          settings.sublist("Output").get<bool>("Error Bound");
 }

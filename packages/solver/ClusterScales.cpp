@@ -44,7 +44,7 @@ Vector ClusterScales::energies(const InterfaceState& state) const {
   return sums;
 }
 
-double ClusterScales::negligible() const { return std::max(run_.settings.tolerance, kNegligibleEnergyNorm / run_.settings.tolerance); }
+double ClusterScales::negligible() const { return std::max(run_.tolerance(), kNegligibleEnergyNorm / run_.tolerance()); }
 
 void ClusterScales::scaleBy(const InterfaceState* from, const InterfaceState& start, const MultiVector& load) {
   const Vector energy = from ? energies(*from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
@@ -60,15 +60,11 @@ void ClusterScales::scaleBy(const InterfaceState* from, const InterfaceState& st
   // Where loads are in equilibrium with initial stresses, or return to zero, the whole solution is round-off of what the bodies carry, and
   // no residual is small compared with it: the scale is at least an energy that is negligible beside theirs (as in overestimate()).
   const double least = isRough ? negligible() : 0.0;
-  // One cluster needs no scaling; an automatic tolerance needs the global error.
-  if (oneCluster() || run_.automatic.on()) {
+  // One cluster needs no scaling.
+  if (oneCluster()) {
     reference_ = std::sqrt(energy.sum());
     if (isRough)
       reference_ = std::max({reference_, preconditionedNorm(*run_.preconditioner, load) - lift_.norm(), least * std::sqrt(found_.sum())});
-    if (run_.automatic.on() && reference_ == 0.0) {  // it needs the size of the solution
-      reference_ = preconditionedNorm(*run_.preconditioner, load);
-      run_.automatic.startsFrom(reference_);
-    }
     return;
   }
   const Vector ofParts = productsByPart(contact_, *run_.preconditioner, load);
@@ -109,7 +105,6 @@ Vector ClusterScales::lentNorms(const Vector& norms) const {
 }
 
 double ClusterScales::overestimate(const InterfaceState& state, double tolerance) const {
-  if (run_.automatic.on()) return 1.0;
   Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
   own = own.cwiseMax(lentNorms(own));
   // The solution of a set may have no energy (a body in rigid motion): earlier energies are the scale then.
@@ -132,9 +127,11 @@ void ClusterScales::scale(MultiVector& x, bool inverse) const {
 void ClusterScales::recordSolution(const InterfaceState& state, double tolerance) {
   const Vector now = contact_.energies(state);
   const double own = std::sqrt(now.sum()), before = std::sqrt(found_.sum()),
-               negligible = std::max(tolerance, kNegligibleEnergyNorm / run_.settings.tolerance) * before;
+               negligible = std::max(tolerance, kNegligibleEnergyNorm / run_.tolerance()) * before;
   unloaded_ = own < negligible ? tolerance * negligible / before : 0.0;
   found_ = found_.cwiseMax(now);
+  if (!isSized_ || tolerance <= run_.tolerance()) run_.automatic.startsFrom(own);
+  isSized_ = true;
 }
 
 ClusterScales::Norm ClusterScales::norm(const MultiVector& residual, const InterfaceState& state) {
@@ -152,7 +149,7 @@ ClusterScales::Norm ClusterScales::norm(const MultiVector& residual, const Inter
     if (own(at) == 0.0 || (energy(at) <= nothing(at) && own(at) <= nothing(at))) continue;
     sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
   }
-  return {std::sqrt(std::max(sum, 0.0)), run_.automatic.on() ? 0.0 : bodyResidual(own, energy, largest_, least) / kBodies};
+  return {std::sqrt(std::max(sum, 0.0)), bodyResidual(own, energy, largest_, least) / kBodies};
 }
 
 }  // namespace suture

@@ -67,6 +67,7 @@ class ClusterScales {
   Vector size_;                // reference norm of the residual of each cluster
   std::vector<double> scale_;  // per owned unknown, if scaled_
   bool scaled_ = false;
+  bool isSized_ = false;  // the automatic tolerance knows the norm of the solution
   double largestScale_ = 1.0;
   double reference_ = 0.0;
 };

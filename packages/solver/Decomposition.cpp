@@ -23,7 +23,10 @@ Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep
   problem_->rememberPath(start ? start->carried : std::vector<BodyForces>());
   if (start) from = stateOf(*start, *problem_, subdomains_);
   AutomaticTolerance::Estimate discretisationError;
-  if (isAutomatic(given.settings)) discretisationError = discretisationErrorOf(*given.comm, given.meshes, given.model, subdomains_);
+  if (isAutomatic(given.settings)) {
+    discretisationError = discretisationErrorOf(*given.comm, given.meshes, given.model, subdomains_);
+    if (start) discretisationError.predicted = start->predictedError;
+  }
   const auto solutionOf = [&](const OuterResult& result) { return recover(*given.comm, *problem_, result, subdomains_, given.settings); };
   const auto accepted = [&](const InterfaceState& state) {
     keep([&] {

@@ -22,10 +22,13 @@ namespace {
 // Ritz values are above the smallest eigenvalue, but the error bound needs a value below it.
 constexpr double kBelowRitz = 0.98;
 
-double lowestEigenvalue(const RitzValues& ritz, double known) {
-  const double found = ritz.smallest > 0.0 ? kBelowRitz * ritz.smallest : 0.0;
-  if (known <= 0.0) return found;
-  return found > 0.0 ? std::min(found, known) : known;
+/// A number below the smallest eigenvalue of M^-1 S; 0: unknown. After few iterations the Ritz values are far above that eigenvalue, hence
+/// also that of earlier solves and that of theory. \param known, theory  0: unknown
+double lowestEigenvalue(const RitzValues& ritz, double known, double theory) {
+  double lowest = 0.0;
+  for (const double value : {kBelowRitz * ritz.smallest, known, kBelowRitz * theory})
+    if (value > 0.0) lowest = lowest > 0.0 ? std::min(lowest, value) : value;
+  return lowest;
 }
 
 using Iteration = Belos::Iteration<double, MultiVector, Operator>;
@@ -54,6 +57,12 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
     converged = enough = false;
   }
 
+  /// \param leastEigenvalue  of the preconditioned operator by theory; 0: unknown
+  explicit PreconditionedNormTest(double leastEigenvalue) : leastEigenvalue_(leastEigenvalue) {}
+
+  /// Below the smallest eigenvalue; 0: unknown.
+  double lowest(const EnergyCriterion& energy) const { return lowestEigenvalue(ritzValues(norms, steps), energy.lowest, leastEigenvalue_); }
+
   Belos::StatusType checkStatus(Iteration* iteration) override {
     auto& cg = dynamic_cast<ConjugateGradients&>(*iteration);
     const auto k = static_cast<std::size_t>(iteration->getNumIters());
@@ -70,9 +79,9 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
     const double relative = norms.back() / aim_->reference;
     converged = relative <= aim_->tolerance;
     if (!converged && aim_->energy.enough && std::isfinite(relative))
-      if (const double lowest = lowestEigenvalue(ritzValues(norms, steps), aim_->energy.lowest); lowest > 0.0) {
-        const std::vector<double> errors = energyErrors(norms, steps, lowest);
-        converged = enough = aim_->energy.enough(errors.front(), errors.back(), aim_->x());
+      if (const double below = lowest(aim_->energy); below > 0.0) {
+        const std::vector<double> errors = energyErrors(norms, steps, below);
+        converged = enough = aim_->energy.enough(errors.front(), std::max(norms.back(), errors.back()), aim_->x());
       }
     // Stop on NaN; the caller checks the residual.
     status_ = converged || !std::isfinite(relative) || iteration->getNumIters() >= aim_->last ? Belos::Passed : Belos::Failed;
@@ -86,6 +95,7 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
   std::vector<double> norms, steps;
 
  private:
+  const double leastEigenvalue_;
   const Aim* aim_ = nullptr;
   Belos::StatusType status_ = Belos::Undefined;
 };
@@ -96,7 +106,7 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
 struct InnerSolver::Solve {
   MultiVectorPtr x;
   Teuchos::RCP<Belos::LinearProblem<double, MultiVector, Operator>> problem;
-  Teuchos::RCP<PreconditionedNormTest> test = Teuchos::rcp(new PreconditionedNormTest);
+  Teuchos::RCP<PreconditionedNormTest> test;
   std::unique_ptr<ConjugateGradients> iteration;
   double norm = 0.0;  // norm of the right-hand side
 };
@@ -118,6 +128,7 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
   x.putScalar(0.0);
   auto made = std::make_unique<Solve>();
   made->x = preconditioner->space()->vector();
+  made->test = Teuchos::rcp(new PreconditionedNormTest(preconditioner->leastEigenvalue()));
   const auto right = Teuchos::rcp(new MultiVector(b, Teuchos::Copy));
   made->problem = Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, made->x, right));
   made->problem->setInitResVec(right);  // x = 0: the residual is b, without applying the operator
@@ -144,7 +155,8 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
     result.residual = norm > 0.0 ? norm / reference : 0.0;
     result.history.push_back(result.residual);
     result.converged = true;
-    if (norm == 0.0 || energy.lowest > 0.0) result.energyErrors.push_back(norm > 0.0 ? norm / std::sqrt(energy.lowest) : 0.0);
+    const double lowest = lowestEigenvalue({}, energy.lowest, preconditioner->leastEigenvalue());
+    if (norm == 0.0 || lowest > 0.0) result.energyErrors.push_back(norm > 0.0 ? norm / std::sqrt(lowest) : 0.0);
     return result;
   }
   made->norm = norm;
@@ -192,8 +204,7 @@ InnerResult InnerSolver::iterate(MultiVector& x, double tolerance, double refere
     result.largestEigenvalue = ritz.largest;
     result.smallestEigenvalue = ritz.smallest;
   }
-  if (const double lowest = lowestEigenvalue(ritz, energy.lowest); lowest > 0.0)
-    result.energyErrors = energyErrors(test.norms, test.steps, lowest);
+  if (const double lowest = test.lowest(energy); lowest > 0.0) result.energyErrors = energyErrors(test.norms, test.steps, lowest);
   return result;
 }
 

@@ -26,8 +26,8 @@ struct InnerResult {
 
 /// Additional stopping criterion: the error in the energy norm is small enough.
 struct EnergyCriterion {
-  /// Called after every iteration, on all ranks with the same numbers: the estimates of |x - x_0|_S and |x - x_k|_S, and x_k. May
-  /// communicate.
+  /// Called after every iteration, on all ranks with the same numbers: an estimate of |x - x_0|_S; the larger of sqrt(r.M^-1 r), which is
+  /// the energy norm of the correction that balances the forces, and the estimate of |x - x_k|_S; and x_k. May communicate.
   std::function<bool(double start, double error, const MultiVector& x)> enough = nullptr;
   double lowest = 0.0;  ///< smallest eigenvalue of M^-1 S in earlier solves; 0: unknown
 };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace suture {
@@ -25,11 +26,12 @@ constexpr double kOverestimate = 2.0;  // overestimate of the energy norm of the
 InterfaceSolves::InterfaceSolves(OuterSolver::Run& run, double inner)
     : run_(run),
       contact_(*run.problem.contact()),
-      inner_(std::max(inner, run.settings.tolerance)),
+      inner_(std::max(inner, run.tolerance())),
       step_(run.problem.space()->vector()),
       scales_(run, contact_),
       deformed_(run.given) {
   if (contact_.laws().restrictSliding()) {
+    run_.automatic.tighten();
     run_.preconditioner = Teuchos::rcp(new SpringPreconditioner(run_.preconditioner));
     return;
   }
@@ -56,14 +58,14 @@ void InterfaceSolves::precondition(const InterfaceState& state, const Teuchos::R
 }
 
 /// Between the loosest and the tightest tolerance.
-double InterfaceSolves::middle() const { return std::sqrt(inner_ * run_.settings.tolerance); }
+double InterfaceSolves::middle() const { return std::sqrt(inner_ * tightest()); }
 
 /// At the end the residual of each body is small compared with its energy, so its pairs have their own resolution. With friction, pairs
 /// keep that of their cluster.
 PairResolution InterfaceSolves::finalResolution() const {
-  const double final = run_.settings.tolerance;
+  const double final = tightest();
   PairResolution result = resolution(final);
-  if (run_.automatic.on() || contact_.laws().restrictSliding()) return result;
+  if (contact_.laws().restrictSliding()) return result;
   result.ofCluster = std::min(kPairDigits, final);
   result.ofBody = final;
   return result;
@@ -79,7 +81,7 @@ double InterfaceSolves::norm(const PairValues& values, const InterfaceState& sta
   double residual = found.largest();
   if (residual > found.whole && found.whole <= final && found.bodies > final)
     sharper_ = std::min(sharper_, kSharper * found.whole / found.bodies);
-  if (run_.automatic.on() || residual > final) return residual;
+  if (residual > final) return residual;
   const double forces = bodyImbalance(contact_.bodies(), values.force, contact_.energies(state), scales_.largestEnergies()) / kImbalance;
   if (forces <= final) return residual;
   sharper_ = std::min(sharper_, kSharper * residual / forces);
@@ -98,12 +100,13 @@ void InterfaceSolves::evaluateStart() {
   deformed_ = true;
   scales_.find(states);
   scales_.scaleBy(&state, state, *linear.load);
-  run_.automatic.startsFrom(scales_.reference());
+  run_.automatic.startsFrom(std::sqrt(contact_.energies(state).sum()));
   const PairValues values = contact_.valuesOf(state);
   run_.evaluation = evaluationOf(contact_, states, values, answerOf(contact_, states, values, finalResolution()));
   run_.result.pcgTotal += applications + values.applications;
   run_.result.otherApplications += applications + values.applications;
   run_.result.residual = scales_.norm(*values.residual, state).largest();
+  run_.result.energyError = scales_.largest() * scales_.reference() * run_.result.residual;
   run_.result.state = state;
   run_.confirm();
 }
@@ -168,7 +171,7 @@ bool InterfaceSolves::solveLinear(InterfaceState& state, bool goOn, double toler
 /// Solves until the residual is small compared with the energy of the solution.
 bool InterfaceSolves::oneSolve(InterfaceState& state, bool goOn, double requested, InnerResult& cost, int& applications) {
   const double tolerance = sharper_ * requested, final = tightest();
-  const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, requested <= middle());
+  const EnergyCriterion criterion{nullptr, run_.lowest};
   bool solved = solveLinear(state, goOn, tolerance, criterion, cost, applications);
   for (int again = 0; solved && again < kRescales; ++again) {
     const double over = scales_.overestimate(state, tolerance);
@@ -201,8 +204,7 @@ ContactAnswer InterfaceSolves::failed(std::string reason) {
 }
 
 ContactAnswer InterfaceSolves::solve(const PairStates& states, double tolerance) {
-  const double final = tightest();
-  const bool isFinal = tolerance <= final;
+  const bool isFinal = tolerance <= tightest();
   bool goOn = states == last_ && canGoOn();
   if (!goOn) {
     scales_.find(states);
@@ -212,21 +214,23 @@ ContactAnswer InterfaceSolves::solve(const PairStates& states, double tolerance)
   double before = 0.0, wholeBefore = 0.0;
   try {
     for (int pass = 0;; ++pass) {
+      const double final = tightest(), requested = isFinal ? std::min(tolerance, final) : tolerance;
       InterfaceState state = run_.result.state;
       state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
       state.status = contact_.statusOf(states);
       InnerResult cost;
       int applications = 0;
-      if (!oneSolve(state, goOn, tolerance, cost, applications))
+      if (!oneSolve(state, goOn, requested, cost, applications))
         return failed("a linear solve did not reach its tolerance within " + std::to_string(run_.settings.maximumInnerIterations) +
                       " iterations; a Preconditioner/BDDC/Edge Constraints of Adaptive may help");
       // The accuracy of the states is that of the solve.
       double residual = cost.residual;
       PairValues values = contact_.valuesOf(state);
-      ContactAnswer answer = answerOf(contact_, states, values, resolution(std::max(final, std::min(sharper_ * tolerance, residual))));
+      ContactAnswer answer = answerOf(contact_, states, values, resolution(std::max(final, std::min(sharper_ * requested, residual))));
       InterfaceProblem::Evaluation at = evaluationOf(contact_, states, values, answer);
       bool drifted = false, sharpened = false;
-      if (isFinal || (at.settled && residual <= final)) {  // confirm the recursive residual by applying the operator
+      const bool confirms = isFinal || (at.settled && residual <= final);
+      if (confirms) {  // confirm the recursive residual by applying the operator
         state.memory.reset();
         contact_.separate(state);
         applications += contact_.remember(state);
@@ -244,16 +248,17 @@ ContactAnswer InterfaceSolves::solve(const PairStates& states, double tolerance)
       run_.accept(std::move(state), std::move(at), residual, cost, 1.0,
                   cost.energyErrors.empty() ? -1.0 : scales_.largest() * cost.energyErrors.back());
       run_.result.state.status = contact_.statusOf(states);
-      if (!drifted) return answer;
+      const bool wantsMore = isFinal && !drifted && residual > tightest();  // by a new estimate of the discretisation error
+      if (!drifted && !wantsMore) return answer;
       const bool stalled = pass > 0 && residual > kStalled * before && whole_ > kStalled * wholeBefore;
       if ((stalled && !goOn) || pass >= kRestarts) {
         run_.atFloor = true;
         last_.clear();
         return answer;
       }
-      before = residual;
+      before = wantsMore ? std::numeric_limits<double>::infinity() : residual;
       wholeBefore = whole_;
-      goOn = sharpened && !stalled && canGoOn();  // a stalled recursion is restarted
+      goOn = (sharpened || wantsMore) && !stalled && canGoOn();  // a stalled recursion is restarted
     }
   } catch (const NumericalError& error) {
     return failed(error.what());

@@ -17,7 +17,7 @@ class InterfaceSolves : public LinearContactSolver {
   void evaluateStart();
 
   double loosest() const override { return inner_; }
-  double tightest() const override { return run_.settings.tolerance; }
+  double tightest() const override { return run_.tolerance(); }
   bool couplesToNormal() const override { return contact_.couplesToNormal(); }
   ContactAnswer solve(const PairStates& states, double tolerance) override;
   void move(const Vector& motion) override { suture::move(run_.result.state, motion); }

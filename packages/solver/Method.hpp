@@ -37,6 +37,7 @@ struct Start {
   std::vector<Vector> displacement;    ///< displacements of each subdomain of this rank, without its lift, node-major, Cartesian [length]
   std::map<int, ContactState> status;  ///< pair id -> state, at least for the pairs of this rank; default: closed
   std::vector<BodyForces> carried{};   ///< largest forces on each body in earlier load steps; empty: none
+  double predictedError = 0.0;         ///< discretisation error predicted from coarser meshes, in the energy norm; 0: unknown
 };
 
 /// Solution method for a scene cut into subdomains: `Decomposition`, with an outer solver on the interface, or a method for the whole

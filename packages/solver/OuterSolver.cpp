@@ -49,12 +49,15 @@ double OuterSolver::Run::norm(const InterfaceProblem::Evaluation& at) const {
 }
 
 bool OuterSolver::Run::done() const {
-  return evaluation.settled && (result.residual <= settings.tolerance || (evaluation.changed == 0 && automatic.met(result.energyError)));
+  if (!evaluation.settled) return false;
+  if (result.residual <= settings.tolerance) return true;
+  if (bySets) return automatic.sure() && result.residual <= automatic.tolerance();
+  return evaluation.changed == 0 && automatic.met(result.energyError);
 }
 
 void OuterSolver::Run::learn(const InnerResult& solve) {
   if (solve.smallestEigenvalue > 0.0) lowest = lowest > 0.0 ? std::min(lowest, solve.smallestEigenvalue) : solve.smallestEigenvalue;
-  if (lowest > 0.0) result.lowestEigenvalue = lowest;
+  if (lowest > 0.0) automatic.learn(result.lowestEigenvalue = lowest);
 }
 
 double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual,
@@ -106,13 +109,15 @@ void OuterSolver::Run::confirm() {
   result.discretisation.reset();
   result.recovered.reset();
   if (evaluation.changed > 0) automatic.statusChanged();
-  if (!evaluation.settled || evaluation.changed > 0 || result.residual <= settings.tolerance || !automatic.within(result.energyError))
-    return;
+  // With friction only the search knows whether the states are settled.
+  const bool isSettled = evaluation.settled || (bySets && problem.contact()->laws().restrictSliding());
+  const auto isAccurate = [&] { return bySets ? result.residual <= tolerance() : automatic.within(result.energyError); };
+  if (!automatic.on() || !isSettled || evaluation.changed > 0 || result.residual <= settings.tolerance || !isAccurate()) return;
   if (!automatic.sure()) {
-    automatic.estimate(result.state, result.energyError);
+    automatic.estimate(result.state, std::max(result.energyError, 0.0));
     recovered = automatic.takeRecovered();
   }
-  if (!automatic.met(result.energyError)) return;
+  if (!automatic.sure() || !isAccurate()) return;
   result.discretisation = automatic.last();
   result.recovered = std::move(recovered);
 }
@@ -120,8 +125,9 @@ void OuterSolver::Run::confirm() {
 std::string OuterSolver::Run::reason() const {
   std::ostringstream text;
   text.precision(2);
-  text << std::scientific << "automatic tolerance: the algebraic error " << result.energyError
-       << " is below a tenth of the estimated discretisation error " << automatic.last()->energyNorm << " (energy norm; estimated "
+  text << std::scientific << "automatic tolerance: the algebraic error ";
+  if (result.energyError >= 0.0) text << result.energyError << " ";
+  text << "is below a tenth of the estimated discretisation error " << automatic.last()->energyNorm << " (energy norm; estimated "
        << automatic.estimates() << (automatic.estimates() == 1 ? " time" : " times") << "), at a residual of " << result.residual;
   return text.str();
 }
@@ -151,7 +157,7 @@ OuterResult OuterSolver::conclude(Run& run) {
   OuterResult& result = run.result;
   result.converged = run.done() || run.solved;
   if (!run.preconditioner.is_null()) result.coarseSize = run.preconditioner->coarseSize();  // it changes with the sets
-  if (run.done() && result.residual > run.settings.tolerance) run.monitor.note(run.reason());
+  if (result.converged && result.discretisation) run.monitor.note(run.reason());
   if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
   if (!result.converged && result.failure.empty())
     result.failure =
@@ -197,6 +203,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   }
 
   run.preconditioner = settings.preconditioner();
+  run.bySets = bySets;
   if (startsItself) {
     result.auxiliary.contact = true;
     run.evaluation.settled = false;  // not evaluated yet
@@ -217,12 +224,12 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   } else {
     const double tolerance = contact ? auxiliaryTolerance(settings) : settings.tolerance;
     const MultiVectorPtr step = problem.space()->vector();
-    const bool continues = given && run.reference > 0.0 && !run.automatic.on();
+    const bool continues = given && run.reference > 0.0;
     const MultiVectorPtr load = continues ? startOnTheWayTo(*given, problem, start, result.state) : start.load;
     start.matrix->record();
     const InnerResult auxiliary =
         run.inner.solve(start.matrix, run.preconditioner, *load, *step, tolerance, continues ? run.reference : 0.0, monitor,
-                        run.automatic.criterion(result.state, 0.0, true, !contact));
+                        run.automatic.criterion(result.state, 0.0, !continues, !contact));
     run.learn(auxiliary);
     const Matrix image = start.matrix->recorded(auxiliary.steps);
     problem.update(result.state, *step, 1.0, &image);

@@ -73,11 +73,14 @@ class OuterSolver {
     AutomaticTolerance automatic;
     bool fromAuxiliary = false;         ///< a method by sets starts from the auxiliary solution
     ContactStates preconditioned = {};  ///< in that case, states for which the preconditioner was made
+    bool bySets = false;                ///< the method works by pair states
     bool given = false;                 ///< the start is a given state
     bool solved = false;                ///< a method by sets has found the set of closed pairs, and the residual is small enough
     bool atFloor = false;               ///< the residual stagnates at round-off above the tolerance
     double lowest = 0.0;                ///< smallest eigenvalue of M^-1 S in the linear solves so far; 0 before the first
 
+    /// Tolerance of methods by pair states: that of the settings, or the automatic one, which changes with each estimate.
+    double tolerance() const { return automatic.on() ? automatic.tolerance() : settings.tolerance; }
     /// Relative residual of an evaluation.
     double norm(const InterfaceProblem::Evaluation& at) const;
     /// Accepts a new iterate without evaluating it: updates status and result.residual, and reports a row.

@@ -4,6 +4,7 @@
 #include <suture/solver/Method.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/SolverSchema.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 
 #include <Teuchos_ParameterList.hpp>
@@ -30,6 +31,12 @@ std::string fittingSolver(const Parameters& scene, const std::string& fallback) 
   const auto formulation = formulationOf(scene);
   const bool fits = madeBy<OuterSolver>(scene.sublist("Outer Solver"), fallback)->solves(*formulation);
   return fits ? fallback : formulation->outerSolver();
+}
+
+/// The default tolerance of a resolved scene. Other methods than outer solvers are direct, or have their own tolerance.
+std::string fittingTolerance(const Parameters& scene) {
+  const bool iterates = Registry<OuterSolver>::instance().has(scene.sublist("Outer Solver").get<std::string>("Type"));
+  return iterates && refinesMesh(scene) ? "Automatic" : "1e-8";
 }
 
 }  // namespace
@@ -93,11 +100,14 @@ void addSolverParameters(Schema& scene) {
                                       "One text per level, the coarsest first: changes to this scene in the syntax of --set, separated by "
                                       "semicolons: \"Mesh/Constants/scale=2; Partition/METIS/Subdomains=12\".")}},
                "Initial state of the outer solver.");
-  outer.wordOrNumber(
-      "Tolerance", "1e-8", {"Automatic"}, {0.0, 1.0, true, true, {}},
-      "Bound of the residual in the preconditioner's norm, relative to the energy norm of the solution (Active Set, Semismooth "
-      "Newton) or to the residual of the start with all pairs closed (other methods). Automatic: iterations stop when the "
-      "algebraic error is a tenth of the estimated discretisation error (energy norm), or at 1e-8.");
+  outer
+      .wordOrNumber(
+          "Tolerance", "1e-8", {"Automatic"}, {0.0, 1.0, true, true, {}},
+          "Bound of the residual in the preconditioner's norm, relative to the energy norm of the solution (Active Set, Semismooth "
+          "Newton) or to the residual of the start with all pairs closed (other methods). Automatic: iterations stop when the "
+          "algebraic error is a tenth of the estimated discretisation error (energy norm), at the latest at 1e-8. With Accuracy/Error "
+          "the default is Automatic.")
+      .fittingDefault([](const Parameters& whole) { return fittingTolerance(whole); });
   outer.oneOf(
       "Neutral Motions", "Refuse", {"Refuse", "Least"},
       "Treatment of a solution in which a loaded body can slide or turn freely after pairs have opened, so that its position is not "

@@ -14,6 +14,7 @@ class SpringPreconditioner : public Preconditioner {
   explicit SpringPreconditioner(Teuchos::RCP<Preconditioner> other) : other_(std::move(other)) {}
 
   int coarseSize() const override { return other_->coarseSize(); }
+  double leastEigenvalue() const override { return motions_.is_null() ? other_->leastEigenvalue() : 0.0; }
   double bytesRead() const override { return other_->bytesRead(); }
   std::string remark() const override { return other_->remark(); }
 

@@ -121,8 +121,8 @@ def play(options, seed):
         scene = bound_scenes.scene(seed, refine, options.family, options.law)
         folders.append(os.path.join(options.output, "s%d_%s" % (seed, name)))
         scene.write(folders[-1])
-        tolerance = options.tolerance or (scene.tolerance if refine == 1 else 1e-10)
-        runs.append(Bounded(friction_corpus.Run(program, folders[-1], "run", ["Output/Error Bound=true", "Outer Solver/Tolerance=%g" % tolerance], LIMIT)))
+        tolerance = (options.tolerance or "%g" % scene.tolerance) if refine == 1 else "1e-10"
+        runs.append(Bounded(friction_corpus.Run(program, folders[-1], "run", ["Output/Error Bound=true", "Outer Solver/Tolerance=" + tolerance], LIMIT)))
     kind, remark, ratio = judge(*runs)
     coarse = runs[0].run.summary
     result = {"seed": seed, "family": scene.family, "cell": scene.cell, "class": kind, "remark": remark, "ratio": ratio, "ranks": ranks,
@@ -159,7 +159,7 @@ def main():
     results = []
     parser = corpus_runs.parser(__doc__)
     parser.add_argument("--law", choices=["Tresca", "Coulomb", "Tied", "No Separation"], help="law of all contacts of two bodies")
-    parser.add_argument("--tolerance", type=float, help="of the solver, instead of that of each scene")
+    parser.add_argument("--tolerance", help="of the solver on the coarse meshes, or Automatic, instead of that of each scene")
     for result in corpus_runs.results(parser.parse_args(), play):
         results.append(result)
         if result["class"] in FAILED:

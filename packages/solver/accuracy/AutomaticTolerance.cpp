@@ -2,10 +2,23 @@
 
 #include <Tpetra_MultiVector.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace suture {
 
 namespace {
 constexpr double kClean = 0.5;  // algebraic error, relative to the estimate, up to which the estimate is reliable
+}
+
+double AutomaticTolerance::target() const {
+  if (last_) return share_ * last_->energyNorm;
+  return share_ * (estimate_.predicted > 0.0 ? estimate_.predicted : estimate_.expected * scale_);
+}
+
+double AutomaticTolerance::tolerance() const {
+  const double relative = scale_ > 0.0 ? target() / scale_ : share_ * estimate_.expected;
+  return std::clamp(std::sqrt(std::min(lowest_, 1.0)) * relative, kTightest, kLoosest);
 }
 
 void AutomaticTolerance::estimate(const InterfaceState& state, double error) {

@@ -1,3 +1,4 @@
+#include <suture/base/Numbers.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -8,11 +9,16 @@
 
 namespace suture {
 
+bool refinesMesh(const Parameters& settings) {
+  return settings.isSublist("Accuracy") && parseReal(settings.sublist("Accuracy").get<std::string>("Error"));
+}
+
 bool isAutomatic(const Parameters& scene) { return scene.sublist("Outer Solver").get<std::string>("Tolerance") == "Automatic"; }
 
 double requestedAccuracy(const Parameters& scene, const Solution& solution) {
   if (!isAutomatic(scene)) return std::stod(scene.sublist("Outer Solver").get<std::string>("Tolerance"));
-  return solution.discretisation ? 0.1 * solution.discretisation->relative() : 1e-8;
+  if (!solution.discretisation) return AutomaticTolerance::kTightest;
+  return AutomaticTolerance::toleranceFor(solution.discretisation->relative());
 }
 
 AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
@@ -30,7 +36,7 @@ AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::
     return estimateError(comm, meshes, model, displacement);
   };
   const double nodes = std::max(all / model.dimension, 1.0), size = std::pow(nodes, -1.0 / model.dimension);
-  return {of, highest == 1 ? 3.0 * size : 1.5 * size * size};
+  return {of, highest == 1 ? 3.0 * size : 6.0 * size * size};
 }
 
 }  // namespace suture

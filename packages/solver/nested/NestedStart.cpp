@@ -6,8 +6,9 @@
 #include <suture/motion/RigidMotionLifting.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
 
-#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -139,6 +140,26 @@ Matrix interpolate(const Comm& comm, const CoarseAnswer& coarse, const std::vect
   return values;
 }
 
+namespace {
+
+/// Discretisation error of a finer mesh at the best possible rate, order / dimension; 0: that of the coarse mesh is unknown. Collective.
+double predictedError(const Comm& comm, const CoarseAnswer& coarse, const std::vector<SubdomainMesh>& meshes) {
+  if (!coarse.solution.discretisation) return 0.0;
+  double mine[2] = {0.0, 0.0}, elements[2];
+  int rate[2] = {1, 2}, largest[2];
+  for (const SubdomainMesh& mesh : coarse.meshes) mine[0] += mesh.elements();
+  for (const SubdomainMesh& mesh : meshes) {
+    mine[1] += mesh.elements();
+    rate[1] = mesh.dimension;
+    for (const Cell cell : mesh.cells) rate[0] = std::max(rate[0], cellInfo(cell).order);
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, mine, elements);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, rate, largest);
+  return coarse.solution.discretisation->energyNorm * std::pow(std::min(1.0, elements[0] / elements[1]), double(largest[0]) / largest[1]);
+}
+
+}  // namespace
+
 Start nestedStart(const Comm& comm, const CoarseAnswer& coarse, const std::vector<SubdomainMesh>& meshes) {
   // Only interface values are needed: at nodes of several subdomains, and on contacts.
   std::vector<Point> points;
@@ -169,6 +190,7 @@ Start nestedStart(const Comm& comm, const CoarseAnswer& coarse, const std::vecto
     start.displacement.push_back(besideLift(meshes[s], std::move(displacement)));
   }
 
+  start.predictedError = predictedError(comm, coarse, meshes);
   const NearestState coarseState(onAllRanks(comm, coarse.solution.pairs));
   for (const SubdomainMesh& mesh : meshes)
     for (const ContactRow& row : mesh.contactRows)

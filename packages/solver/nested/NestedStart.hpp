@@ -14,7 +14,8 @@ struct CoarseAnswer {
 };
 
 /// Initial state on a fine mesh: displacements interpolated from the coarse mesh by the shape functions of each cell, and contact states
-/// from the nearest coarse pair of the same contact. Forces follow from both. Only interface points are exchanged between ranks;
+/// from the nearest coarse pair of the same contact; the discretisation error follows from that of the coarse mesh, if it is known. Forces
+/// follow from both. Only interface points are exchanged between ranks;
 /// displacements inside subdomains are zero. Collective. \param meshes  fine meshes of this rank
 Start nestedStart(const Comm& comm, const CoarseAnswer& coarse, const std::vector<SubdomainMesh>& meshes);
 
