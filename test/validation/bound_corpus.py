@@ -97,10 +97,11 @@ def judge(coarse, fine):
     remark = "bound^2 %.4e, 2 (J - J_fine) %.4e, J %.6e" % (coarse.total ** 2, square, coarse.energy)
     ratio = coarse.total / math.sqrt(square) if square > 100 * slack else None
     if coarse.friction():
-        square = 2 * (coarse.upper - fine.energy - friction_energy(coarse.pairs, fine.pairs))
+        exact = fine.energy + friction_energy(coarse.pairs, fine.pairs)
+        square = 2 * (coarse.upper - exact)
         remark = "bound^2 %.4e, 2 (J - J_fine) %.4e, change %.1e" % (coarse.total ** 2, square, coarse.change)
         ratio = coarse.total / math.sqrt(square) if square > 100 * slack else None
-        holds = coarse.total ** 2 * (1 + INTERPOLATED) >= square - slack
+        holds = coarse.lower <= exact + INTERPOLATED * coarse.total ** 2 / 2 + slack
         return ("friction" if holds else "TRESCA VIOLATED"), remark, ratio
     if not coarse.strict:
         return "estimate", "; ".join(coarse.reasons), ratio
