@@ -18,7 +18,7 @@ constexpr double kLostFreeStress = 1e-13;
 // Longest edge over height of triangles whose energies are summed as squares, because products with a Gram matrix lose digits.
 constexpr double kFlatTriangle = 30.0;
 
-bool isFlat(const Eigen::Matrix2d& map) {
+bool isFlatTriangle(const Eigen::Matrix2d& map) {
   const double longest = std::max({map.col(0).squaredNorm(), map.col(1).squaredNorm(), (map.col(0) - map.col(1)).squaredNorm()});
   return longest > kFlatTriangle * std::abs(map.determinant());
 }
@@ -166,7 +166,7 @@ template <int Rows>
 void AiryElement<K>::toUnknowns(const Map& map, double scale, const Sides& sides, const Frames& frames,
                                 const Eigen::Matrix<double, Rows, dofs>& of, Eigen::Matrix<double, Rows, dofs>& result) {
   using Column = Eigen::Matrix<double, Rows, 1>;
-  Column gradients[3][2];  // of functions of the Cartesian gradient at the vertices
+  Column gradients[3][2];  // functions of the Cartesian gradient at the vertices
   for (int i = 0; i < 3; ++i) {
     result.col(3 * i) = scale * of.col(3 * i);
     for (int k = 0; k < 2; ++k) gradients[i][k] = scale * (map(k, 0) * of.col(3 * i + 1) + map(k, 1) * of.col(3 * i + 2));
@@ -239,7 +239,7 @@ typename AiryElement<K>::Energy AiryElement<K>::energy(const BoundElement<2>& el
       result.start -= loads[f] * loads[f] / pivot;
     }
   }
-  if (isFlat(map)) result.start = energyOfFlat(element, sides, map, given);
+  if (isFlatTriangle(map)) result.start = energyOfFlat(element, sides, map, given);
   for (int i = 0; i < dofs; ++i) {
     const double* row = &packedEnergies[(free + i) * (free + i + 1) / 2 + free];
     for (int j = 0; j <= i; ++j) onReference(i, j) = onReference(j, i) = row[j];

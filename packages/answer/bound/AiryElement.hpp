@@ -53,7 +53,7 @@ class AiryElement {
 
  private:
   static constexpr int data = 3 * sideData + (K == 1 ? 2 : 6), free = K == 1 ? 0 : 3, columns = free + dofs;
-  static constexpr int values = 3 * (K == 1 ? 3 : 6);  // of one component of the stresses on all parts
+  static constexpr int values = 3 * (K == 1 ? 3 : 6);  // values of one component of the stresses on all parts
   static constexpr int rows = 3 * values, paddedRows = (rows + 3) / 4 * 4;
   static constexpr int paddedColumns = (columns + 3) / 4 * 4, table = (columns * (columns + 1) / 2 + 3) / 4 * 4;
   using Map = Eigen::Matrix2d;

@@ -15,7 +15,7 @@ namespace {
 // Relative size of resultants that a restricted face cannot transmit, below which it is round-off.
 constexpr double kTransmitted = 1e-9;
 // Diagonal of a factor, squared and relative to the matrix, below which an unknown changes no stress.
-constexpr double kNoStress = 1e-12;
+constexpr double kNoStarStress = 1e-12;
 
 /// Solves with a factor: rows of the lower triangle, diagonals inverted.
 SUTURE_FOR_EACH_PROCESSOR
@@ -41,13 +41,13 @@ void solveRows(const float* factor, int n, double* x) {
   }
 }
 
-/// Cholesky factor of the lower triangle that leaves out unknowns without stress of their own.
+/// Cholesky factor of the lower triangle that leaves out unknowns whose stress is that of others.
 void factorWithout(Matrix& a) {
   const int n = int(a.rows());
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < i; ++j) a(i, j) = a(j, j) == 0.0 ? 0.0 : (a(i, j) - a.row(i).head(j).dot(a.row(j).head(j))) / a(j, j);
     const double value = a(i, i) - a.row(i).head(i).squaredNorm();
-    a(i, i) = value > kNoStress * a(i, i) ? std::sqrt(value) : 0.0;
+    a(i, i) = value > kNoStarStress * a(i, i) ? std::sqrt(value) : 0.0;
   }
 }
 
@@ -238,7 +238,7 @@ void EdgeStars<K>::factor(const std::vector<double>& grams) {
     int info = 0;
     dpotrf_("L", &n, a.data(), &n, &info);
     bool isSafe = info == 0;
-    for (int i = 0; i < n && isSafe; ++i) isSafe = a(i, i) * a(i, i) > kNoStress * copy(i, i);
+    for (int i = 0; i < n && isSafe; ++i) isSafe = a(i, i) * a(i, i) > kNoStarStress * copy(i, i);
     if (!isSafe) {
       a = copy;
       factorWithout(a);

@@ -33,7 +33,7 @@ class EdgeStars {
   struct Star {
     int faces, betweens;     // first entries
     std::size_t factor = 0;  // first entry
-    int wrenches = 6;        // unknowns for what all faces transmit
+    int wrenches = 6;        // unknowns: force and moment that all faces transmit
     int restricted = -1;     // place in restricted_
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double area = 0.0, size = 0.0;
@@ -50,7 +50,7 @@ class EdgeStars {
   const StarMesh<3>& mesh_;
   const std::vector<Face>& faces_;
   std::vector<Star> stars_;    // one more at the end
-  std::vector<int> sides_;     // of the stars
+  std::vector<int> sides_;     // faces of the stars
   std::vector<double> signs_;  // direction in which the sides transmit
   std::vector<Between> betweens_;
   std::vector<Transfer> restricted_;  // bases of possible forces and moments

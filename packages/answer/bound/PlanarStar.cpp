@@ -76,7 +76,7 @@ double PlanarStar::balanceComponent(int k) {
   const double total = changes_[n];
   double rest = 0.0, shift = 0.0;
   const bool unknownFirst = closed_ || isUnknown(spokes_.front(), k), unknownLast = closed_ || isUnknown(spokes_.back(), k);
-  if (unknownFirst && unknownLast) {  // of least norm
+  if (unknownFirst && unknownLast) {  // the change of least norm
     for (std::size_t i = 0; i < count; ++i) shift -= changes_[i] / double(count);
     if (closed_) rest = std::abs(total);
   } else if (unknownFirst) {

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Balances the moments of tractions in 2D, node by node, in closed form: around a vertex the triangles and sides alternate, so that the
-/// forces of the triangles determine the changes of all moments but for a common one. Local.
+/// Balances the moments of tractions in 2D, node by node, in closed form: around a vertex triangles and sides alternate, so that the forces
+/// of the triangles determine all changes of moments up to one common value. Local.
 class PlanarStar {
  public:
   /// \param moments  of the tractions on the sides with the functions of their nodes, changed by balance; 2 x nodes of a side, by columns
@@ -24,7 +24,7 @@ class PlanarStar {
   };
   struct Spoke {
     int side, node;  // node: number of the vertex on the side
-    double sign;     // of the side for the triangle before it
+    double sign;     // sign of the side for the triangle before it
   };
   bool walk(int v);
   double balanceComponent(int k);

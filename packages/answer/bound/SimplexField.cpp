@@ -19,7 +19,7 @@ Eigen::Matrix<double, D, D> tensorOf(const Eigen::Matrix<double, BoundElement<D>
 
 /// Strain due to a displacement gradient du_i / dx_j.
 template <int D>
-Eigen::Matrix<double, BoundElement<D>::stress, 1> strainOf(const Eigen::Matrix<double, D, D>& slope) {
+Eigen::Matrix<double, BoundElement<D>::stress, 1> strainOfGradient(const Eigen::Matrix<double, D, D>& slope) {
   Eigen::Matrix<double, BoundElement<D>::stress, 1> e;
   if constexpr (D == 2)
     e << slope(0, 0), slope(1, 1), slope(0, 1) + slope(1, 0);
@@ -45,7 +45,7 @@ typename SimplexField<D>::AtVertices SimplexField<D>::strains(const Nodal& displ
   AtVertices all;
   if (degree == 1) {
     const Slope slope = displacements.template leftCols<D + 1>() * gradients_.transpose();
-    all.colwise() = strainOf<D>(slope);
+    all.colwise() = strainOfGradient<D>(slope);
     return all;
   }
   // At vertex q the function of vertex i has the slope 3 or -1 times the gradient of coordinate i.
@@ -56,7 +56,7 @@ typename SimplexField<D>::AtVertices SimplexField<D>::strains(const Nodal& displ
       for (int end = 0; end < 2; ++end)
         if (Nodes::ends[edge][end] == q)
           slope += 4.0 * displacements.col(D + 1 + edge) * gradients_.col(Nodes::ends[edge][1 - end]).transpose();
-    all.col(q) = strainOf<D>(slope);
+    all.col(q) = strainOfGradient<D>(slope);
   }
   return all;
 }

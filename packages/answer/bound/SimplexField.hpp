@@ -24,7 +24,7 @@ class SimplexField {
   double energy(const AtVertices& stresses, const Stiffness& compliance) const;
 
  private:
-  Eigen::Matrix<double, D, D + 1> gradients_;  // of the barycentric coordinates
+  Eigen::Matrix<double, D, D + 1> gradients_;  // gradients of the barycentric coordinates
   double volume_;
 };
 

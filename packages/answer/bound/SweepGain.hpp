@@ -3,8 +3,8 @@
 
 namespace suture {
 
-/// Decides how many sweeps over the stars are made: a sweep costs about a tenth of the whole bound, so that more are made as long as the
-/// last one made the bound noticeably smaller. On meshes of well-shaped elements that is a sweep or two beyond the least number; flat
+/// Decides how many sweeps over the stars are made: a sweep costs about a twentieth of the whole bound, so that more are made as long as
+/// the last one made the bound noticeably smaller. On meshes of well-shaped elements that is a sweep or two beyond the least number; flat
 /// elements and nearly incompressible ones need more.
 class SweepGain {
  public:

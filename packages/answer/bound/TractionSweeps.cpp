@@ -18,7 +18,7 @@ namespace {
 // Longest edge over height of tetrahedra whose energies are summed as squares, because products with a Gram matrix lose digits.
 constexpr double kFlatTetrahedron = 30.0;
 
-bool isFlat(const Eigen::Matrix3d& map) {
+bool isFlatTetrahedron(const Eigen::Matrix3d& map) {
   double longest = 0.0;
   for (int i = 0; i < 3; ++i) longest = std::max({longest, map.col(i).norm(), (map.col(i) - map.col((i + 1) % 3)).norm()});
   return longest * longest * longest > kFlatTetrahedron * std::abs(map.determinant());
@@ -83,7 +83,7 @@ void TractionSweeps<K>::assemble(const Matrix& tractions) {
     for (int i = 0; i < 3; ++i) map.col(i) = element.places.col(i + 1) - element.places.col(0);
     stress.gram(map, element.compliance, gram);
     product.noalias() = gram * own;
-    double energy = isFlat(map) ? stress.energy(map, element.compliance, own) : own.dot(product);
+    double energy = isFlatTetrahedron(map) ? stress.energy(map, element.compliance, own) : own.dot(product);
     energy += addSupports(mesh_, e, given, gram, product);
     if (e < mesh_.own()) start_[e] = energy;
     for (int a = 0; a < 4; ++a)

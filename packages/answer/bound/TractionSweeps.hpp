@@ -40,7 +40,7 @@ class TractionSweeps {
 
   const StarMesh<3>& mesh_;
   std::vector<Face> faces_;
-  std::vector<double> grams_;  // of all tetrahedra in the bases of their faces, rows of the lower triangles
+  std::vector<double> grams_;  // matrices of all tetrahedra in the bases of their faces, rows of the lower triangles
   Matrix loads_;               // G d in the same bases, dofs x tetrahedra
   Vector start_, change_;
   double imbalance_ = 0.0;
