@@ -3,6 +3,8 @@
 #include <suture/solver/ClusterScales.hpp>
 #include <suture/solver/OuterSolver.hpp>
 
+#include <algorithm>
+
 namespace suture {
 
 /// Linear solver of StateSearch for contact on the interface: conjugate gradients if the tangent is symmetric (no friction, stick, Tresca),
@@ -16,7 +18,7 @@ class InterfaceSolves : public LinearContactSolver {
   /// Evaluates the given start of a run; run.done() is true if it is the solution.
   void evaluateStart();
 
-  double loosest() const override { return inner_; }
+  double loosest() const override { return std::max(inner_, tightest()); }
   double tightest() const override { return run_.tolerance(); }
   bool couplesToNormal() const override { return contact_.couplesToNormal(); }
   ContactAnswer solve(const PairStates& states, double tolerance) override;

@@ -81,7 +81,8 @@ void endsInTime(const std::string& name, const std::string& method, const Blocks
       << ", estimated " << runs.automatic.energyError << ", " << runs.estimates << " estimates\n";
   // Errors add in squares: 0.2 of the discretisation error increases the total by 2 %.
   TEST_COMPARE(truth, <, 0.2 * error.energyNorm);
-  TEST_COMPARE(pcgOf(runs.automatic), <=, 0.6 * pcgOf(runs.full));
+  // All applications of the operator: one of them confirms the residual, as with a given tolerance.
+  TEST_COMPARE(pcgOf(runs.automatic), <=, 0.75 * pcgOf(runs.full));
   TEST_COMPARE(runs.automatic.energyError, >=, 0.0);
   TEST_COMPARE(runs.automatic.energyError, <=, 0.1 * error.energyNorm * 1.05);
   TEST_COMPARE(runs.estimates, <=, 3);
