@@ -2,6 +2,7 @@
 #include <suture/base/Numbers.hpp>
 #include <suture/solver/BalanceForces.hpp>
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -78,8 +79,10 @@ Balancing balancingOf(const Comm& comm, const Subdomains& subdomains, const std:
 
 bool wantsErrorBound(const Parameters& settings) {
   if (settings.isSublist("Accuracy") && parseReal(settings.sublist("Accuracy").get<std::string>("Error"))) return true;
-  return settings.isSublist("Output") && settings.sublist("Output").isParameter("Error Bound") &&
-         settings.sublist("Output").get<bool>("Error Bound");
+  if (!settings.isSublist("Output")) return false;
+  const Parameters& output = settings.sublist("Output");
+  return (output.isParameter("Error Bound") && output.get<bool>("Error Bound")) ||
+         (output.isParameter("Strict Error Bars") && !output.get<Teuchos::Array<std::string>>("Strict Error Bars").empty());
 }
 
 BalancedForces balanceForces(const InterfaceProblem& problem, const InterfaceState& state, Preconditioner& preconditioner,
