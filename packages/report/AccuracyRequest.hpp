@@ -34,13 +34,13 @@ struct AccuracyRequest {
 /// One mesh of a run with a request for accuracy. \see AccuracyReached
 struct AccuracyLevel {
   long long unknowns = 0, elements = 0;
-  double error = 0.0;      ///< relative error of the requested quantity: bound or estimate; NaN: it has none
-  bool strict = false;     ///< a bound
-  double seconds = 0.0;    ///< wall clock of this level: mesh, solution, error
-  int iterations = 0;      ///< conjugate gradient iterations, with those of the auxiliary problem
-  int outer = 0;           ///< outer iterations
-  double energy = 0.0;     ///< total potential energy
-  std::string refinement;  ///< origin of the mesh: "start", "size field", "bisection", "uniform"
+  double error = 0.0;                ///< relative error of the requested quantity: bound or estimate; NaN: it has none
+  bool strict = false;               ///< a bound
+  double seconds = 0.0;              ///< wall clock of this level: mesh, solution, error
+  int iterations = 0;                ///< conjugate gradient iterations, with those of the auxiliary problem
+  int outer = 0;                     ///< outer iterations
+  double energy = 0.0;               ///< total potential energy
+  std::string refinement;            ///< origin of the mesh: "start", "size field", "bisection", "uniform"
   std::optional<double> estimate{};  ///< relative error in the energy norm, estimated from recovered stresses
   /// If the quantity is not the energy norm: its value, and the relative error in the energy norm, by which meshes are refined.
   std::optional<double> value{}, energyError{};
