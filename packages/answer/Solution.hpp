@@ -5,6 +5,7 @@
 #include <suture/answer/bound/ErrorBound.hpp>
 #include <suture/answer/values/ErrorBars.hpp>
 #include <suture/answer/values/Extremes.hpp>
+#include <suture/answer/values/ForceInterval.hpp>
 #include <suture/answer/values/RigidGroupMotions.hpp>
 #include <suture/answer/values/SafetyFactors.hpp>
 #include <suture/answer/verdict/Verification.hpp>
@@ -59,13 +60,14 @@ struct Solution : OuterFigures {
   std::vector<PairResult> pairs;      ///< on rank 0: all, by id
   std::vector<PairResult> onAxis;     ///< on rank 0: see axisResults()
 
-  std::string outerSolver;               ///< "" for a scene without unilateral contact
-  double energy = 0.0;                   ///< total potential energy a(u,u)/2 - L(u)
-  Verification verification;             ///< checks (empty before verify()) and the balance of forces
-  Extremes extremes;                     ///< see findExtremes()
-  std::optional<ErrorBars> errorBars{};  ///< if requested and the run converged
-  SafetyFactors safety;                  ///< see findSafety(); with load steps the least factors over all steps
-  std::map<std::string, double> errors;  ///< against the exact solution of the scene, if any: see exactErrors()
+  std::string outerSolver;                 ///< "" for a scene without unilateral contact
+  double energy = 0.0;                     ///< total potential energy a(u,u)/2 - L(u)
+  Verification verification;               ///< checks (empty before verify()) and the balance of forces
+  Extremes extremes;                       ///< see findExtremes()
+  std::optional<ErrorBars> errorBars{};    ///< if requested and the run converged
+  std::vector<ForceInterval> intervals{};  ///< strict bounds of forces, if requested; the same on all ranks
+  SafetyFactors safety;                    ///< see findSafety(); with load steps the least factors over all steps
+  std::map<std::string, double> errors;    ///< against the exact solution of the scene, if any: see exactErrors()
 
   /// True if the run converged, the verdict holds, and no loaded body is free to move.
   bool isValid() const { return converged && undetermined.empty() && verification.holds(); }

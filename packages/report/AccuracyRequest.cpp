@@ -1,8 +1,12 @@
+#include <suture/base/Errors.hpp>
 #include <suture/base/Numbers.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
 #include <suture/report/AccuracyRequest.hpp>
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -12,6 +16,42 @@ namespace {
 
 const char* const kList = "Accuracy";
 const char* const kNone = "None";
+
+std::map<std::string, Schema> quantities() {
+  const char* const contact = "Name of the contact; may be omitted if there is only one.";
+  return {{AccuracyRequest::kEnergy, Schema("Energy norm.")},
+          {AccuracyRequest::kContactForce, Schema("Norm of the force of a contact.").text("Contact", "", contact)},
+          {AccuracyRequest::kReaction,
+           Schema("Norm of the force of a support.").text("Condition", std::nullopt, "Name of the boundary condition that holds a body.")},
+          {AccuracyRequest::kMeanDisplacement, Schema("Mean displacement of a side group along a direction.")
+                                                   .text("Group", std::nullopt, "Side group of the mesh.")
+                                                   .reals("Direction", std::nullopt, "A vector of any length, one entry per dimension.")},
+          {AccuracyRequest::kLargestPressure,
+           Schema("Largest pressure of a contact. The run ends where the exact pressure is infinite, as at the end of a flat punch.")
+               .text("Contact", "", "Name of the contact; empty: the largest pressure of all contacts.")}};
+}
+
+/// Name of the contact, condition or group in the list of a quantity.
+std::string objectOf(const std::string& quantity, const Parameters& list) {
+  if (quantity == AccuracyRequest::kEnergy) return "";
+  const Parameters& own = list.sublist(quantity);
+  const char* parameter = quantity == AccuracyRequest::kReaction           ? "Condition"
+                          : quantity == AccuracyRequest::kMeanDisplacement ? "Group"
+                                                                           : "Contact";
+  return own.get<std::string>(parameter);
+}
+
+Point directionOf(const Parameters& settings, const Parameters& own) {
+  const auto given = own.get<Teuchos::Array<double>>("Direction");
+  const int dimension = sceneDimension(settings);
+  if (given.size() != dimension)
+    throw InputError("Accuracy/Mean Displacement/Direction",
+                     std::to_string(given.size()) + " components; expected " + std::to_string(dimension));
+  Point direction{0, 0, 0};
+  std::copy(given.begin(), given.end(), direction.begin());
+  if (!(norm(direction) > 0.0)) throw InputError("Accuracy/Mean Displacement/Direction", "is zero; expected a vector of any length");
+  return direction;
+}
 
 std::string percent(double share) {
   char text[40];
@@ -30,7 +70,9 @@ Schema AccuracyRequest::schema() {
           "Error", kNone, {kNone}, {0.0, 1.0, true, true, {}},
           "Largest relative error of the quantity, 0.01 for 1 %; the error of Energy is the energy norm of the error over that of "
           "the solution. None: the scene is solved on its own mesh.")
-      .oneOf("Quantity", kEnergy, {kEnergy}, "Quantity of which the error is meant. Energy: the energy norm.")
+      .choice("Quantity", kEnergy, quantities(),
+              "Quantity of which the error is meant. All but Energy have estimated errors; meshes are refined by the energy norm.", "",
+              {kEnergy})
       .oneOf("Order", "Automatic", {"Automatic", "1", "2"}, "Order of the elements. Automatic: Mesh/Order, or 2 without it.")
       .integer("Most Unknowns", 2000000, "Largest number of unknowns of a mesh, predicted before it is made.", Range::atLeast(1))
       .real("Most Seconds", 0.0, "Time limit for all meshes; a mesh that would exceed it is not made. 0: none.", Range::atLeast(0), "s")
@@ -45,11 +87,22 @@ std::optional<AccuracyRequest> AccuracyRequest::of(const Parameters& settings) {
   AccuracyRequest request;
   request.error = *error;
   request.quantity = list.get<std::string>("Quantity");
+  request.object = objectOf(request.quantity, list);
+  if (request.quantity == kMeanDisplacement) request.direction = directionOf(settings, list.sublist(kMeanDisplacement));
   request.order = parseInteger(list.get<std::string>("Order")).value_or(0);
   request.mostUnknowns = list.get<int>("Most Unknowns");
   request.mostSeconds = list.get<double>("Most Seconds");
   request.mostLevels = list.get<int>("Most Levels");
   return request;
+}
+
+std::string AccuracyRequest::name() const {
+  if (quantity == kContactForce) return "the force of contact '" + object + "'";
+  if (quantity == kReaction) return "the reaction of '" + object + "'";
+  if (quantity == kMeanDisplacement) return "the mean displacement of '" + object + "'";
+  if (quantity == kLargestPressure)
+    return object.empty() ? "the largest contact pressure" : "the largest pressure of contact '" + object + "'";
+  return "the energy norm";
 }
 
 std::string AccuracyReached::failure() const {
@@ -60,9 +113,11 @@ std::string AccuracyReached::failure() const {
                                                          {"solution", "the solver, which finds no valid solution on the next mesh"},
                                                          {"mesh", "the mesher, which cannot make the next mesh"}};
   if (isMet()) return "";
+  const std::string subject = quantity == AccuracyRequest::kEnergy ? "the energy norm" : quantity;
+  if (limit == "quantity") return subject + " has no relative error: " + why;
   const auto name = limits.find(limit);
-  return "the error of " + (quantity == AccuracyRequest::kEnergy ? "the energy norm" : quantity) + " is " + percent(reached) +
-         ", requested " + percent(requested) + "; the limit is " + (name == limits.end() ? limit : name->second);
+  return "the error of " + subject + " is " + percent(reached) + ", requested " + percent(requested) + "; the limit is " +
+         (name == limits.end() ? limit : name->second);
 }
 
 }  // namespace suture

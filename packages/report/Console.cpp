@@ -146,7 +146,7 @@ std::string accuracy(const Run& run) {
   const AccuracyReached& reached = *run.accuracy;
   const std::string failure = reached.failure();
   if (!failure.empty()) return "   " + run.monitor.in(RunMonitor::Colour::Bad, "ACCURACY NOT REACHED: ") + failure + "\n";
-  const std::string name = reached.quantity == AccuracyRequest::kEnergy ? "the energy norm" : "'" + reached.quantity + "'";
+  const std::string name = reached.quantity == AccuracyRequest::kEnergy ? "the energy norm" : reached.quantity;
   return format("   accuracy: the error of %s is %s %.2g %%, requested %.3g %%; %s\n", name.c_str(), reached.strict ? "at most" : "about",
                 roundedUp(100 * reached.reached, 2), 100 * reached.requested,
                 reached.levels.size() == 1 ? "1 mesh" : (grouped(static_cast<long long>(reached.levels.size())) + " meshes").c_str());
@@ -156,7 +156,8 @@ std::string accuracy(const Run& run) {
 std::string forceErrors(const Run& run) {
   if (!run.solution.errorBars) return "";
   return format("   forces of contacts and supports: estimated error up to %.1e %s, see force_error in summary.json\n",
-                largestForceError(run), unitsOf(*run.scene.parameters).force.c_str());
+                largestForceError(run), unitsOf(*run.scene.parameters).force.c_str()) +
+         intervalsText(run, run.model.dimension);
 }
 
 fs::path fileOf(const Run& run, const std::string& name) { return fs::path(run.folder) / name; }

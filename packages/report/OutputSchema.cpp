@@ -21,6 +21,11 @@ Schema outputSchema() {
                "Estimate the errors of the forces of contacts and supports (force_error in the summary), from the estimate of the "
                "discretisation error, which it implies; mark extremes of stresses and pressures as estimate, or as singular where the "
                "exact value is unbounded.")
+      .texts(
+          "Strict Error Bars", std::vector<std::string>{},
+          "Names of boundary conditions and contacts, or All: bounds between which the exact force of a support or contact lies, and for "
+          "a load the mean displacement along it (force_low, force_high and others in the summary). Each takes two to six more solutions "
+          "on the same mesh per component of the force. Implies Error Bars and Error Bound, and requires that the latter is strict.")
       .boolean("Mesh Error", true,
                "If there is no other estimate: estimate the discretisation error from averaged stresses, a rougher and cheaper method "
                "(summary, console). Warns above 25 %.")

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <suture/base/Errors.hpp>
 #include <suture/report/Format.hpp>
@@ -89,9 +90,10 @@ void RunMonitor::dropLevel() {
 void RunMonitor::endLevel(int number, const AccuracyLevel& level) {
   if (!console_) return;
   if (number == 0 || verbose_) *console_ << "level    unknowns    elements     error             PCG   outer    seconds   mesh\n";
-  *console_ << format("%5d%12s%12s%9.3g %% %-8s%6d%8d%11.2f   %s", number, grouped(level.unknowns).c_str(), grouped(level.elements).c_str(),
-                      100 * level.error, level.strict ? "bound" : "estimate", level.iterations, level.outer, level.seconds,
-                      level.refinement.c_str())
+  const std::string error = std::isfinite(level.error) ? format("%9.3g %% %-8s", 100 * level.error, level.strict ? "bound" : "estimate")
+                                                       : format("%9s%11s", "none", "");
+  *console_ << format("%5d%12s%12s%s%6d%8d%11.2f   %s", number, grouped(level.unknowns).c_str(), grouped(level.elements).c_str(),
+                      error.c_str(), level.iterations, level.outer, level.seconds, level.refinement.c_str())
             << std::endl;
 }
 

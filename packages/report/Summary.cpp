@@ -136,7 +136,7 @@ Json verification(const Verification& verdict) {
 
 Json accuracy(const AccuracyReached& reached) {
   Json levels = Json::array();
-  for (const AccuracyLevel& level : reached.levels)
+  for (const AccuracyLevel& level : reached.levels) {
     levels.push_back({{"unknowns", level.unknowns},
                       {"elements", level.elements},
                       {"error", level.error},
@@ -146,6 +146,10 @@ Json accuracy(const AccuracyReached& reached) {
                       {"outer", level.outer},
                       {"energy", level.energy},
                       {"refinement", level.refinement}});
+    if (level.estimate) levels.back()["estimate"] = *level.estimate;
+    if (level.value) levels.back()["value"] = *level.value;
+    if (level.energyError) levels.back()["energy_error"] = *level.energyError;
+  }
   Json all = {{"requested", reached.requested}, {"quantity", reached.quantity}, {"reached", reached.reached},
               {"strict", reached.strict},       {"limit", reached.limit},       {"levels", levels}};
   if (reached.uniform)

@@ -3,6 +3,7 @@
 #include <suture/base/Timers.hpp>
 #include <suture/simulation/LevelError.hpp>
 #include <suture/simulation/MeshSequence.hpp>
+#include <suture/simulation/QuantityError.hpp>
 #include <suture/simulation/Stages.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
 
@@ -33,12 +34,18 @@ class AdaptiveLevels {
     broadcastBytes(comm(), &dimension_, sizeof dimension_);
     broadcastBytes(comm(), &order_, sizeof order_);
     reached_.requested = request_.error;
-    reached_.quantity = request_.quantity;
+    reached_.quantity = request_.isEnergy() ? request_.quantity : request_.name();
+    checkQuantity(comm(), request_, judged_.meshes());
     end(judged_.run().timers().total(), "start");
   }
 
   JudgedScene run() {
-    while (judged_.solution_.isValid() && reached_.reached > request_.error) {
+    while (judged_.solution_.isValid() && !isReached()) {
+      if (!quantity_.why.empty()) {
+        reached_.limit = "quantity";
+        reached_.why = quantity_.why;
+        break;
+      }
       const double begin = Timers::now();
       const Next next = nextMesh();
       if (!reached_.limit.empty()) break;
@@ -62,19 +69,33 @@ class AdaptiveLevels {
   const SceneParts& parts() const { return *judged_.parts_; }
   const Comm& comm() const { return judged_.run().comm(); }
 
+  bool isReached() const { return reached_.reached <= request_.error && quantity_.isComplete && quantity_.why.empty(); }
+
   /// Records the present mesh.
   void end(double seconds, const std::string& refinement) {
     const Solution& solution = judged_.solution();
     const ProblemSize& size = judged_.size();
     error_ = levelError(solution);
-    AccuracyLevel level{
-        size.dofs,           size.elements,   error_.relative(), error_.strict, seconds, solution.pcgTotal + solution.auxiliary.pcg,
-        solution.iterations, solution.energy, solution.energy,   refinement};
+    AccuracyLevel level{size.dofs,           size.elements,   error_.relative(),
+                        error_.strict,       seconds,         solution.pcgTotal + solution.auxiliary.pcg,
+                        solution.iterations, solution.energy, refinement};
+    if (solution.discretisation) level.estimate = solution.discretisation->relative();
+    if (!request_.isEnergy()) judgeQuantity(level);
     broadcastBytes(comm(), &level.seconds, sizeof level.seconds);
     judged_.run().monitor().endLevel(static_cast<int>(reached_.levels.size()), level);
     reached_.levels.push_back(level);
     reached_.reached = level.error;
     reached_.strict = level.strict;
+  }
+
+  /// Replaces the error by that of the requested quantity.
+  void judgeQuantity(AccuracyLevel& level) {
+    const std::optional<double> before = reached_.levels.empty() ? std::nullopt : reached_.levels.back().value;
+    if (judged_.solution().isValid()) quantity_ = quantityError(parts(), judged_.solution(), request_, before);
+    level.value = quantity_.value;
+    level.energyError = level.error;
+    level.error = quantity_.relative();
+    level.strict = false;
   }
 
   /// The scene on the next mesh; without one, sets the limit.
@@ -112,9 +133,16 @@ class AdaptiveLevels {
     return next;
   }
 
+  /// Factor by which the error in the energy norm is too large for the aim; the error of another quantity is proportional to a power of it.
+  double excess() const {
+    const double ratio = reached_.levels.back().error / (kAim * request_.error);
+    if (request_.isEnergy()) return ratio;
+    return quantity_.isComplete ? std::pow(ratio, 1.0 / quantity_.order) : std::max(ratio, kStep);
+  }
+
   /// Energy norm of the error that the next mesh is to have.
   double wantedError() const {
-    const double goal = kAim * request_.error * error_.norm, step = error_.error / kStep;
+    const double goal = error_.error / excess(), step = error_.error / kStep;
     return goal > kNear * step ? goal : step;
   }
 
@@ -132,7 +160,7 @@ class AdaptiveLevels {
   /// rate of uniform refinement.
   bool measuresRate() const {
     if (reached_.levels.size() != 1) return false;
-    const double growth = std::pow(error_.relative() / (kAim * request_.error), static_cast<double>(dimension_) / order_);
+    const double growth = std::pow(excess(), static_cast<double>(dimension_) / order_);
     const double parts = std::pow(2.0, dimension_);
     const double unknowns = kRefined * parts * static_cast<double>(reached_.levels.front().unknowns);
     return growth > kCheap * parts && unknowns <= static_cast<double>(request_.mostUnknowns);
@@ -192,18 +220,17 @@ class AdaptiveLevels {
                                  why);
   }
 
-  /// Cost of uniform refinement from the first mesh to the present error e: N = N_0 (e_0 / e)^(1 / r). The rate r is that between the first
-  /// two meshes, if the second one is a uniform refinement, otherwise the best possible one, order / dimension. The time is that of the
+  /// Cost of uniform refinement from the first mesh to the present error e: N = N_0 (e_0 / e)^(1 / r), with the rate r of the first two
+  /// meshes, if the second one is a uniform refinement; it is at most the best possible one, (order / dimension) times that of the
+  /// quantity. Without such a mesh nothing is predicted: at singular places the rate is far below the best one. The time is that of the
   /// last mesh times the ratio of the unknowns.
   void predictUniform() {
-    const AccuracyLevel &first = reached_.levels.front(), &last = reached_.levels.back();
+    if (reached_.levels.size() < 2 || reached_.levels[1].refinement != "uniform") return;
+    const AccuracyLevel &first = reached_.levels.front(), &second = reached_.levels[1], &last = reached_.levels.back();
     if (!(first.error > 0.0 && last.error > 0.0)) return;
-    double rate = static_cast<double>(order_) / dimension_;
-    if (reached_.levels.size() > 1 && reached_.levels[1].refinement == "uniform") {
-      const AccuracyLevel& second = reached_.levels[1];
-      rate = std::min(rate, std::log(first.error / second.error) /
-                                std::log(static_cast<double>(second.unknowns) / static_cast<double>(first.unknowns)));
-    }
+    const double best = static_cast<double>(order_) / dimension_ * (request_.isEnergy() ? 1.0 : quantity_.order);
+    const double rate = std::min(
+        best, std::log(first.error / second.error) / std::log(static_cast<double>(second.unknowns) / static_cast<double>(first.unknowns)));
     if (!(rate > 0.0)) return;
     const double unknowns = static_cast<double>(first.unknowns) * std::pow(std::max(first.error / last.error, 1.0), 1.0 / rate);
     reached_.uniform = AccuracyReached::Uniform{order_, unknowns, last.seconds * unknowns / static_cast<double>(last.unknowns)};
@@ -223,6 +250,7 @@ class AdaptiveLevels {
   const AccuracyRequest request_;
   int dimension_ = 2, order_ = 2;
   LevelError error_;
+  QuantityError quantity_;
   AccuracyReached reached_;
 };
 

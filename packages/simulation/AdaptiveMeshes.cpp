@@ -3,6 +3,7 @@
 #include <suture/simulation/BisectedMeshes.hpp>
 #include <suture/simulation/CutStage.hpp>
 #include <suture/simulation/GeometryMeshes.hpp>
+#include <suture/simulation/QuantityError.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -39,10 +40,11 @@ bool hasGeometry(const Scene& scene) {
 
 }  // namespace
 
-void requestAccuracy(Scene& scene, const std::vector<Contact>& contacts) {
-  const std::optional<AccuracyRequest> request = AccuracyRequest::of(scene.settings());
+void requestAccuracy(Scene& scene, const std::vector<Contact>& contacts, const std::vector<std::string>& conditions) {
+  std::optional<AccuracyRequest> request = AccuracyRequest::of(scene.settings());
   if (!request) return;
   const Scene plain = scene;
+  checkQuantity(*request, conditions, scene.entries());
   scene.accuracy = request;
   refuseOthers(scene);
   scene.meshes = hasGeometry(scene) ? geometryMeshes(plain, orderOf(scene)) : bisectedMeshes(plain, contacts, orderOf(scene));

@@ -7,6 +7,7 @@
 #include <suture/answer/values/SingularExtremes.hpp>
 #include <suture/answer/verdict/Verify.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/simulation/ForceIntervals.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/LoadPath.hpp>
@@ -41,7 +42,11 @@ bool wantsErrorEstimate(const Parameters& settings) {
          AccuracyRequest::of(settings);
 }
 
-bool wantsErrorBars(const Parameters& settings) { return settings.sublist("Output").get<bool>("Error Bars"); }
+bool wantsErrorBars(const Parameters& settings) {
+  if (settings.sublist("Output").get<bool>("Error Bars") || !strictBarsOf(settings).empty()) return true;
+  const std::optional<AccuracyRequest> accuracy = AccuracyRequest::of(settings);
+  return accuracy && !accuracy->isEnergy();
+}
 
 bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("Output").get<bool>("Nodal Stresses"); }
 

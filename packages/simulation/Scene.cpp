@@ -8,6 +8,7 @@
 #include <suture/report/SceneSchema.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/simulation/AdaptiveMeshes.hpp>
+#include <suture/simulation/ForceIntervals.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/Scene.hpp>
 #include <suture/simulation/SoftenedContacts.hpp>
@@ -78,6 +79,22 @@ void checkSince(const Scene& scene) {
                      times.empty() ? "has no effect without Load Steps/Times" : realText(since) + " is not one of Load Steps/Times");
 }
 
+/// Names of the conditions that hold bodies.
+std::vector<std::string> supportsAmong(const std::vector<LoadSteps::Named>& conditions) {
+  static const std::set<std::string> holding{"Displacement", "Bilateral", "Elastic Support", "Mean Displacement"};
+  std::vector<std::string> names;
+  for (const auto& [name, type] : conditions)
+    if (holding.count(type) > 0) names.push_back(name);
+  return names;
+}
+
+/// \throws InputError  results of conditions or contacts that the scene does not have
+void checkNames(const Scene& scene, const std::vector<LoadSteps::Named>& conditions) {
+  std::vector<std::string> names;
+  for (const LoadSteps::Named& condition : conditions) names.push_back(condition.first);
+  checkStrictBars(scene.settings(), names, scene.entries());
+}
+
 /// Adds the contacts to the scene's parameters: later stages look them up by name, and the record of a run needs them.
 void record(const std::vector<Contact>& contacts, Parameters& list, Problems& problems) {
   std::set<std::string> names;
@@ -141,10 +158,11 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   std::vector<LoadSteps::Named> named;
   for (const Condition& condition : all) named.emplace_back(condition.name, formOf(condition.type).name);
   scene.steps = LoadSteps(scene.settings().sublist("Load Steps"), named, {});
+  checkNames(scene, named);
   scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings()), steps = scene.steps](const Mesh& whole) {
     return buildConstraints(whole, all, contacts, scales, steps);
   };
-  requestAccuracy(scene, contacts);
+  requestAccuracy(scene, contacts, supportsAmong(named));
   return scene;
 }
 
@@ -161,6 +179,7 @@ Scene sceneOf(const SceneFile& file) {
     named.emplace_back(name, all->sublist("Boundary Conditions").sublist(name).get<std::string>("Type"));
   scene.steps = LoadSteps(all->sublist("Load Steps"), named, sceneConstants(*all));
   checkSince(scene);
+  checkNames(scene, named);
   if (!scene.lines.empty()) scene.coat = [all](Mesh& mesh) { addCoatings(mesh, all->sublist("Contact")); };
   scene.mesh = [all, folder = file.folder](const Comm& comm) { return readMesh(comm, all->sublist("Mesh"), folder); };
   scene.constraints = [all, scales = scalesOf(scene.model, *all), steps = scene.steps](const Mesh& mesh) {
@@ -170,7 +189,7 @@ Scene sceneOf(const SceneFile& file) {
     scene.levels.push_back(sceneOf(level));
     scene.levels.back().isOneStep = true;
   }
-  requestAccuracy(scene, facingContacts(all->sublist("Contact")));
+  requestAccuracy(scene, facingContacts(all->sublist("Contact")), supportsAmong(named));
   return scene;
 }
 

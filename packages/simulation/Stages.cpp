@@ -10,6 +10,7 @@
 #include <suture/report/Summary.hpp>
 #include <suture/report/answers/Probes.hpp>
 #include <suture/report/answers/SingularNotes.hpp>
+#include <suture/simulation/ForceIntervals.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/NestedLevels.hpp>
@@ -144,7 +145,8 @@ void PreparedScene::prepareMethod() {
   parts.run.monitor().shiftEnergy(-parts.liftWork);
   if (!method_->needsWholeMesh()) forget(parts.mesh, parts.constraints, parts.cut.partition);
   const bool isCoupled = scene.steps.empty() && parts.path;
-  method_ = preparedMethod(parts, std::move(method_), parts.followsPath() || isCoupled);
+  const bool changes = parts.followsPath() || isCoupled || !strictBarsOf(scene.settings()).empty();
+  method_ = preparedMethod(parts, std::move(method_), changes);
   parts.size.interfaceDofs = method_->interfaceUnknowns();
 }
 
@@ -301,8 +303,11 @@ JudgedScene judge(SolvedScene solved) {
   SceneParts& parts = *solved.parts_;
   Solution& solution = solved.solution_;
   const Comm& comm = parts.run.comm();
-  const Subdomains subdomains = solved.method_ ? solved.method_->takeSubdomains() : Subdomains();
-  solved.method_.reset();
+  const std::vector<std::string> strictBars = strictBarsOf(parts.scene.settings());
+  std::unique_ptr<Method> method = std::move(solved.method_);  // kept for strict error bars only
+  const Subdomains own = method && strictBars.empty() ? method->takeSubdomains() : Subdomains();
+  const Subdomains& subdomains = method && !strictBars.empty() ? method->subdomains() : own;
+  if (strictBars.empty()) method.reset();
   if (!solved.isJudged_) judgeSolution(parts, subdomains, solution);
   boundError(comm, parts.cut.meshes, subdomains, parts.scene, parts.cut.whole.parts, parts.followsPath(), solution, parts.run.timers());
   // Once per run: load steps and coupled solves share the mesh.
@@ -323,6 +328,7 @@ JudgedScene judge(SolvedScene solved) {
   add(singularNotes(comm, parts.cut.meshes, parts.scene.model, shown));
   if (wantsErrorBars(parts.scene.settings()))
     timed(parts.run.timers(), "estimate", [&] { findErrorBars(comm, parts.cut.meshes, parts.scene, pieces, shown, solution); });
+  if (!strictBars.empty() && method) solution.intervals = ForceIntervals(parts, method, solution).find(strictBars);
   add(safetyNotes(parts.scene.model, solution.safety));
   if (joined) add(overclosureNotes(parts.scene.lines, shown, parts.scene.model.dimension));
   return JudgedScene(std::move(solved));

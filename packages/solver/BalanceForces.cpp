@@ -2,6 +2,7 @@
 #include <suture/solver/BalanceForces.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -97,8 +98,10 @@ InterfaceState withGivenBounds(const InterfaceProblem& problem, const InterfaceS
 
 bool wantsErrorBound(const Parameters& settings) {
   if (refinesMesh(settings)) return true;
-  return settings.isSublist("Output") && settings.sublist("Output").isParameter("Error Bound") &&
-         settings.sublist("Output").get<bool>("Error Bound");
+  if (!settings.isSublist("Output")) return false;
+  const Parameters& output = settings.sublist("Output");
+  return (output.isParameter("Error Bound") && output.get<bool>("Error Bound")) ||
+         (output.isParameter("Strict Error Bars") && !output.get<Teuchos::Array<std::string>>("Strict Error Bars").empty());
 }
 
 BalancedForces balanceForces(const InterfaceProblem& problem, const InterfaceState& found, Preconditioner& preconditioner,

@@ -9,7 +9,8 @@
 
 namespace suture {
 
-/// True if the settings of a scene request an error bound, or an accuracy that it measures; it needs balanced forces. Local.
+/// True if the settings of a scene request an error bound, or results that follow from it (accuracy, strict error bars); it needs balanced
+/// forces. Local.
 bool wantsErrorBound(const Parameters& settings);
 
 /// Result of balanceForces().

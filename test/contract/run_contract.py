@@ -68,7 +68,11 @@ solve("plane", scene("two_blocks"), *setting("Output/Error Estimate", "true"), *
 solve("restart", scene("two_blocks"), "--restart", work / "plane" / "checkpoint.h5", ranks=2)
 solve("exact", scene("manufactured"), *setting("Output/Error Estimate", "true"), *setting("Outer Solver/Tolerance", "Automatic"))
 solve("bound", scene("tunnel"), *setting("Mesh/Order", "2"), *setting("Mesh/Mesh Size Factor", "3"), *setting("Output/Error Bound", "true"))
-solve("accuracy", scene("tunnel"), *setting("Accuracy/Error", "0.03"), *setting("Output/Error Bars", "true"))
+solve("accuracy", scene("tunnel"), *setting("Accuracy/Error", "0.03"), *setting("Output/Error Bars", "true"),
+      *setting("Output/Strict Error Bars", "{All}"))
+solve("force", scenes / "studies" / "punch.xml", *setting("Accuracy/Error", "5e-5"), *setting("Accuracy/Quantity", "Contact Force"),
+      *setting("Accuracy/Most Levels", 30), *setting("Output/Strict Error Bars", "{joint}"))
+solve("strict", HERE.parent / "drivers" / "pressed_triangles.xml", *setting("Output/Strict Error Bars", "{All}"))
 solve("singular", scene("closed_crack"), *setting("Output/Error Bars", "true"))
 solve("singular_contact", scene("bolted_joint"), *setting("Output/Error Bars", "true"))
 solve("space", scene("patch_3d"), ranks=2)

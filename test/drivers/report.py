@@ -311,9 +311,23 @@ for axis, cost, uniform in zip(drawn.axes, ([n for n, *_ in MESHES], spent), (16
 check("adaptive: rate", (corners[0][1] / corners[1][1]) / (corners[1][0] / corners[0][0]), lambda ratio: abs(ratio - 1.0) < 1e-9)
 check("adaptive: a bound is never rounded down", [value for value in (0.00871, 0.0087, 0.1, 0.99999, 1e-7, 0.0123456, 3.0) for digits in (1, 2, 3)
                                                   if not value * (1 - 1e-9) <= rounded_up(value, digits) <= value * (1 + 2 * 10.0**(1 - digits))], [])
+
+# Estimates beside the bounds, and a second mesh that is a uniform refinement.
+measured = [{**level, "estimate": level["error"] / 2, "refinement": "uniform" if place == 1 else level["refinement"]}
+            for place, level in enumerate(adaptive["levels"])]
+tree, _ = adapted("measured", levels=measured)
+for axis, cost in zip(accuracy_figure(RunFolder(noted)).axes, ([1000.0, 2000.0], [0.5, 1.0])):
+    check(f"measured, up to {cost[-1]}: uniform meshes that were solved", points(axis, gid="measured"), [list(zip(cost, (0.2, 0.1)))])
+    check(f"measured, up to {cost[-1]}: estimates", [[y for _, y in line] for line in points(axis, gid="recovered")], [[error / 2 for _, error, *_ in MESHES]])
+# Values of another quantity, one per mesh.
+valued = [{**level, "value": 100.0 + place, "energy_error": 4 * level["error"], "strict": False} for place, level in enumerate(adaptive["levels"])]
+tree, _ = adapted("valued", levels=valued, quantity="the force of contact 'touch'", strict=False)
+lines = tree.find(".//section[@id='accuracy']//table[@id='levels']").find("tbody").findall("tr")
+check("valued: values and errors in the table", [numbers(line) for line in lines],
+      [[place + 1, n // 4, n, 100.0 + place, error, 4 * error, 2, 17, seconds] for place, (n, error, _, seconds) in enumerate(MESHES)])
 for name, changes, expected in (
         ("stopped", {"limit": "unknowns", "requested": 0.001, "uniform": None}, "The requested 0.1 % was not reached: the run ended at its largest number of unknowns."),
-        ("of a force", {"quantity": "force of touch", "strict": False}, "The error of \u2018force of touch\u2019 is about 1.2 % (an estimate)"),
+        ("of a force", {"quantity": "the force of contact 'touch'", "strict": False}, "The error of the force of contact 'touch' is about 1.2 % (an estimate)"),
         ("one mesh", {"levels": adaptive["levels"][:1], "reached": 0.2}, "at most 20 %, reached with 1,000 unknowns on the first mesh, in 0.5 s."),
         ("error unknown", {"levels": [{"unknowns": 10, "error": None}], "reached": None}, "The energy error is not known.")):
     _, words = adapted(f"adaptive, {name}", **changes)

@@ -25,14 +25,22 @@ class Levels:
 
     def __init__(self, accuracy):
         levels = accuracy["levels"]
-        self.unknowns, self.error, self.seconds = (np.array([math.nan if level.get(key) is None else level[key] for level in levels], dtype=float)
-                                                   for key in ("unknowns", "error", "seconds"))
+        self.unknowns, self.error, self.seconds, self.estimate = (np.array([math.nan if level.get(key) is None else level[key] for level in levels],
+                                                                           dtype=float) for key in ("unknowns", "error", "seconds", "estimate"))
         self.strict = np.array([bool(level.get("strict")) for level in levels])
         self.spent = np.cumsum(np.nan_to_num(self.seconds))
         self.of_energy = is_energy(accuracy)
-        self.requested = accuracy.get("requested") if self.of_energy else None
+        self.quantity = accuracy.get("quantity", "Energy")
+        self.requested = accuracy.get("requested")
+        # Meshes of uniform refinement that were solved: the first one and, if it is one, the second.
+        self.measured = [0, 1] if len(levels) > 1 and levels[1].get("refinement") == "uniform" else [0]
         uniform = accuracy.get("uniform") or {}
         self.order, self.uniform_unknowns, self.uniform_seconds = (uniform.get(key) for key in ("order", "unknowns", "seconds"))
+
+    @property
+    def has_estimate(self):
+        """True if an estimate of the energy error is to be drawn beside its bound."""
+        return self.of_energy and bool(np.any(np.isfinite(self.estimate) & (self.estimate > 0)))
 
     @property
     def known(self):
@@ -82,10 +90,10 @@ def accuracy_figure(run):
     levels = Levels(run.summary["accuracy"])
     figure, (left, right) = with_panels(1, 2, (9.4, 3.9), sharey=True)
     panel(left, levels, levels.unknowns, levels.uniform_unknowns, lambda value: f"{value:,.0f}", rough)
-    panel(right, levels, levels.spent, levels.uniform_seconds, seconds_in_words, seconds_in_words)
+    panel(right, levels, levels.spent, levels.uniform_seconds, seconds_in_words, seconds_in_words, levels.seconds)
     left.set_xlabel("unknowns of a mesh")
     right.set_xlabel("seconds since the start, all meshes so far")
-    left.set_ylabel("error / energy norm of the solution")
+    left.set_ylabel("error / energy norm of the solution" if levels.of_energy else "relative error")
     for axis in (left, right):
         logarithmic_ticks(axis.xaxis, *axis.get_xlim(), lambda value: f"{value:,g}" if value < 1e6 else f"{value:.0e}".replace("e+0", "e"))
     logarithmic_ticks(left.yaxis, *left.get_ylim(), lambda value: per_cent(value, 3))
@@ -101,11 +109,13 @@ def outcome(run, levels):
     if not levels.known[-1]:
         return "error of each mesh"
     size = f"at most {per_cent(rounded_up(last))}" if levels.strict[-1] else f"about {per_cent(last)}"
-    return f"energy error {size}, {levels.unknowns[-1]:,.0f} unknowns, {seconds_in_words(levels.spent[-1])}"
+    what = "energy error" if levels.of_energy else f"error of {levels.quantity}"
+    return f"{what} {size}, {levels.unknowns[-1]:,.0f} unknowns, {seconds_in_words(levels.spent[-1])}"
 
 
-def panel(axis, levels, cost, predicted, words, rough_words):
-    """Error over one kind of cost. `predicted`: that of uniform refinement; `words`, `rough_words`: texts of a cost"""
+def panel(axis, levels, cost, predicted, words, rough_words, own=None):
+    """Error over one kind of cost. `predicted`: that of uniform refinement; `words`, `rough_words`: texts of a cost; `own`: cost of each mesh
+    alone, if `cost` sums over the meshes"""
     axis.set_xscale("log")
     axis.set_yscale("log")
     shown = levels.known & (cost > 0)
@@ -116,17 +126,31 @@ def panel(axis, levels, cost, predicted, words, rough_words):
         axis.plot(x[strict], y[strict], "o", ms=5, color=ADAPTIVE, zorder=4, label="upper bound (strict)")
     if not strict.all():
         axis.plot(x[~strict], y[~strict], "o", ms=5, mfc="white", mec=ADAPTIVE, zorder=4, label="estimate")
+    if levels.has_estimate:
+        axis.plot(x, levels.estimate[shown], "x", ms=4, mew=0.9, color=GREY, zorder=3, label="from recovered stresses\n(estimate)", gid="recovered")
     drawn = predicted if len(x) else None
     if drawn:
-        axis.plot([x[0], drawn], [y[0], y[-1]], ls="--", color=UNIFORM, zorder=2,
-                  label=f"uniform refinement{f', {ORDERS[levels.order]} order' if levels.order in ORDERS else ''}\n(predicted)")
-        axis.plot([drawn], [y[-1]], "D", ms=5, color=UNIFORM, zorder=4, gid="uniform")
+        uniform(axis, levels, cost if own is None else own, drawn, y[-1])
     if levels.requested:
         axis.axhline(levels.requested, color=REQUESTED, ls=":", lw=1.4, zorder=1, label=f"requested: {per_cent(levels.requested, 3)}")
     axis.set_xlim(limits([*x, *([drawn] if drawn else [])], 12.0))
-    axis.set_ylim(limits([*y, *([levels.requested] if levels.requested else [])], 4.0))
+    estimates = [value for value in levels.estimate[shown] if value > 0] if levels.has_estimate else []
+    axis.set_ylim(limits([*y, *estimates, *([levels.requested] if levels.requested else [])], 4.0))
     if len(x):
         name_ends(axis, x[-1], y[-1], drawn, words, rough_words)
+
+
+def uniform(axis, levels, cost, predicted, error):
+    """Cost of uniform refinement: of the meshes that were solved, and from there to the last error as predicted."""
+    order = f", {ORDERS[levels.order]} order" if levels.order in ORDERS else ""
+    places = [place for place in levels.measured if levels.known[place] and cost[place] > 0]
+    x, y = [cost[place] for place in places], [levels.error[place] for place in places]
+    if len(x) > 1:  # around the circles of the same meshes
+        axis.plot(x, y, "D", ms=9, mew=1.2, mec=UNIFORM, mfc="none", zorder=5, label=f"uniform refinement{order}:\nmeasured", gid="measured")
+    if x and error < y[-1]:
+        axis.plot([x[-1], predicted], [y[-1], error], ls="--", color=UNIFORM, zorder=2,
+                  label="predicted" if len(x) > 1 else f"uniform refinement{order}:\npredicted")
+    axis.plot([predicted], [error], "D", ms=5, color=UNIFORM, zorder=4, gid="uniform")
 
 
 def limits(values, least):
@@ -156,7 +180,7 @@ def triangle(axis, levels):
     x, y = np.log(levels.unknowns[levels.known]), np.log(levels.error[levels.known])
     order = np.argsort(x)
     (low, high), (least, most) = np.log(axis.get_xlim()), np.log(axis.get_ylim())
-    width, below = 0.16 * (high - low), 0.1 * (most - least)
+    width, below = min(0.16 * (high - low), 0.3 * (most - least) / rate), (0.17 if levels.has_estimate else 0.1) * (most - least)
     for middle in np.linspace(x[-1] - 0.6 * width - 0.07 * (high - low), x[0], 12):  # the cost of the last mesh is written below its point
         level = np.interp(middle, x[order], y[order]) - below
         a, b, top, bottom = middle - width / 2, middle + width / 2, level + rate * width / 2, level - rate * width / 2
@@ -169,13 +193,15 @@ def triangle(axis, levels):
 
 def accuracy_caption(run):
     levels = Levels(run.summary["accuracy"])
-    words = "Error of each mesh in the energy norm, relative to the solution. "
+    words = ("Error of each mesh in the energy norm, relative to the solution. " if levels.of_energy else
+             f"Relative error of {levels.quantity} on each mesh. ")
     kinds = ["Filled circles: strict upper bounds."] * bool(levels.strict.any()) + ["Hollow circles: estimates."] * (not levels.strict.all())
     words += " ".join(kinds)
+    if levels.has_estimate:
+        words += " Crosses: an estimate from recovered stresses, which is cheaper and not proved."
     if levels.uniform_unknowns or levels.uniform_seconds:
-        words += " Dashed: the cost of refining the first mesh uniformly, predicted and not computed."
+        measured = "Hollow diamonds: the first mesh and its uniform refinement, both solved; dashed" if len(levels.measured) > 1 else "Dashed"
+        words += f" {measured}: the cost of refining uniformly to the last error, predicted and not computed."
     if levels.rate() is not None:
         words += f" From the second mesh on, the error falls as the number of unknowns to the power \u2212{levels.rate():.2g}."
-    if not levels.of_energy:
-        words += f" The request was for '{run.summary['accuracy']['quantity']}', which has another error."
     return words

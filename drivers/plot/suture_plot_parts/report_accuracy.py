@@ -5,7 +5,8 @@ from .accuracy import ORDERS, Levels, has_levels, is_energy, per_cent, rough, ro
 from .html import esc, number, table
 
 LIMITS = {"unknowns": "the run ended at its largest number of unknowns", "memory": "the next mesh does not fit into the memory",
-          "time": "the run ended at its time limit", "levels": "the run ended at its largest number of meshes", "mesh": "the mesh cannot be refined further"}
+          "time": "the run ended at its time limit", "levels": "the run ended at its largest number of meshes", "mesh": "the mesh cannot be refined further", "solution": "the next mesh has no valid solution",
+          "quantity": "the exact value is infinite or zero"}
 PARTS = (("total", "total, energy norm"), ("discretisation", "\u2003of it: mesh"), ("algebraic", "\u2003of it: solver"),
          ("oscillation", "\u2003of it: oscillation of loads"))
 
@@ -50,7 +51,7 @@ def bound_rows(run):
 
 
 def quantity_in_words(accuracy):
-    return "energy error" if is_energy(accuracy) else f"error of \u2018{accuracy['quantity']}\u2019"
+    return "energy error" if is_energy(accuracy) else f"error of {accuracy['quantity']}"
 
 
 def accuracy_sentence(run):
@@ -75,14 +76,22 @@ def accuracy_sentence(run):
 
 
 def levels_table(run):
+    accuracy = run.summary["accuracy"]
+    levels = accuracy["levels"]
+    has_estimate, has_value = (any(level.get(key) is not None for level in levels) for key in ("estimate", "value"))
     rows = []
-    for place, level in enumerate(run.summary["accuracy"]["levels"]):
-        rows.append((number(place + 1), esc(level.get("refinement", "")), number(level.get("elements")), number(level.get("unknowns")),
-                     number(level.get("error"), form=".3g"), "strict bound" if level.get("strict") else "estimate", number(level.get("outer")),
-                     number(level.get("iterations")), number(level.get("seconds"), form=".3g")))
-    head = ("mesh", "made by", "elements", "unknowns", "error, relative", "", "outer iterations", "PCG", "seconds")
-    return table(head, rows, numeric=(0, 2, 3, 4, 6, 7, 8), long=(1,), key="levels",
-                 caption="Error in the energy norm, relative to the solution. Seconds: mesh, solution and bound of one level.")
+    for place, level in enumerate(levels):
+        row = [number(place + 1), esc(level.get("refinement", "")), number(level.get("elements")), number(level.get("unknowns"))]
+        row += [number(level.get("value"), form=".6g")] * has_value
+        row += [number(level.get("error"), form=".3g"), "strict bound" if level.get("strict") else "estimate"]
+        row += [number(level.get("energy_error"), form=".3g")] * has_value + [number(level.get("estimate"), form=".3g")] * has_estimate
+        rows.append((*row, number(level.get("outer")), number(level.get("iterations")), number(level.get("seconds"), form=".3g")))
+    head = ["mesh", "made by", "elements", "unknowns", *["value"] * has_value, "error, relative", "", *["energy error"] * has_value,
+            *["from recovered stresses"] * has_estimate, "outer iterations", "PCG", "seconds"]
+    kind = "in the energy norm, relative to the solution" if is_energy(accuracy) else f"of {accuracy['quantity']}"
+    numeric = tuple(place for place, name in enumerate(head) if place not in (1, head.index("")))
+    return table(tuple(head), rows, numeric=numeric, long=(1,), key="levels",
+                 caption=f"Error {kind}. Seconds: mesh, solution and bound of one level.")
 
 
 def accuracy_section(run, picture):

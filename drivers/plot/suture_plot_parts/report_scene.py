@@ -67,21 +67,52 @@ def reactions(run):
         return '<p class="soft">Unknown: the run ended earlier.</p>\n'
     length, force, stress = run.units
     thickness = f", {force_basis(run)}" if force_basis(run) else ""
-    rows = [(esc(name), esc(c.get("kind", "")), vector(c.get("force")), vector(c.get("moment"))) for name, c in found.get("conditions", {}).items()]
+    conditions, contacts = found.get("conditions", {}), found.get("contacts", {})
+    has_errors = any("force_error" in c for c in (*conditions.values(), *contacts.values()))
+    error = [f"estimated error [{force}]"] * has_errors
+    rows = [(esc(name), esc(c.get("kind", "")), vector(c.get("force")), *[force_error(c)] * has_errors, vector(c.get("moment")))
+            for name, c in conditions.items()]
     total = found.get("sum", {})
-    rows.append(("<strong>sum</strong>", "", vector(total.get("force")), vector(total.get("moment"))))
-    markup = table(("condition", "kind", f"force on the bodies [{force}]", f"moment [{force} {length}]"), rows,
+    rows.append(("<strong>sum</strong>", "", vector(total.get("force")), *[""] * has_errors, vector(total.get("moment"))))
+    markup = table(("condition", "kind", f"force on the bodies [{force}]", *error, f"moment [{force} {length}]"), rows,
                    caption=f"In {force} and {force} {length}{thickness}; moments about {given_vector(found.get('about', []))}.", long=(0,))
-    rows = [(esc(name), names(c.get("bodies") or []), vector(c.get("force")), vector(c.get("moment")), vector(c.get("centre")), closed(c))
-            for name, c in found.get("contacts", {}).items()]
+    rows = [(esc(name), names(c.get("bodies") or []), vector(c.get("force")), *[force_error(c)] * has_errors,
+             vector(c.get("moment")), vector(c.get("centre")), closed(c)) for name, c in contacts.items()]
     if rows:
         size = f"{length}²" if run.model in ("Axisymmetric", "Solid") else length
-        markup += table(("contact", "bodies", f"force on side B [{force}]", f"moment [{force} {length}]", f"centre [{length}]", f"closed [{size}]"), rows,
-                        long=(0,), caption="Resultant of each contact, the centre of its forces, and its closed length or area.")
+        markup += table(("contact", "bodies", f"force on side B [{force}]", *error, f"moment [{force} {length}]", f"centre [{length}]", f"closed [{size}]"),
+                        rows, long=(0,), caption="Resultant of each contact, the centre of its forces, and its closed length or area.")
+    markup += bounds_of_forces(conditions, contacts, run.units)
     balance = summary.get("equilibrium", {})
     if "imbalance" in balance:
         markup += f"<p>Loads and reactions balance to {number(balance['imbalance'], form='.3g')}, relative to the loads.</p>\n"
     return markup
+
+
+def force_error(row):
+    return number(row["force_error"], form=".2g") if row.get("force_error") is not None else ""
+
+
+def known(values):
+    """A vector; components without a value are marked."""
+    return vector(["?" if value is None else value for value in values])
+
+
+def bounds_of_forces(conditions, contacts, units):
+    """Strict bounds of forces and displacements as a table; "" for a run without."""
+    length, force, _ = units
+    rows = []
+    for kind, all_of in (("condition", conditions), ("contact", contacts)):
+        for name, c in all_of.items():
+            if "force_low" in c:
+                rows.append((esc(name), kind, f"force [{force}]", known(c["force_low"]), known(c["force_high"]), esc(c.get("not_bounded", ""))))
+            elif "displacement" in c:
+                rows.append((esc(name), kind, f"mean displacement [{length}]", known([c.get("displacement_low")]), known([c.get("displacement_high")]),
+                             esc(c.get("not_bounded", ""))))
+    if not rows:
+        return ""
+    return table(("name", "", "quantity", "at least", "at most", "why not bounded"), rows, long=(0, 5), key="bounds",
+                 caption="Strict bounds: the exact value, on the polygon (polyhedron) of the mesh, lies between them.")
 
 
 def closed(contact):

@@ -7,7 +7,8 @@ NUMBER, COUNT, TEXT, FLAG, NUMBERS = "a number", "a whole number", "a text", "tr
 TEXTS, RANGE = "a list of texts", {"min": NUMBER, "avg": NUMBER, "max": NUMBER}
 EXTREME = {"value": NUMBER, "unit": TEXT, "body": TEXT, "contact": TEXT, "place": NUMBERS}
 LEVEL = {"unknowns!": COUNT, "elements": COUNT, "error": NUMBER, "strict": FLAG, "seconds": NUMBER, "iterations": COUNT, "outer": COUNT, "energy": NUMBER,
-         "refinement": TEXT}
+         "refinement": TEXT, "estimate": NUMBER, "value": NUMBER, "energy_error": NUMBER}
+FORCE = {"force": NUMBERS, "moment": NUMBERS, "force_error": NUMBER, "force_low": NUMBERS, "force_high": NUMBERS, "not_bounded": TEXT}
 # A list in brackets has items of one shape. Required keys are marked with an exclamation mark; "*" matches any name.
 SHAPE = {
     "title": TEXT, "scene": TEXT, "units": TEXT, "failure": TEXT, "mesh_hash": TEXT, "converged!": FLAG, "verified": FLAG, "exit_code!": COUNT,
@@ -20,8 +21,9 @@ SHAPE = {
     "extremes": {"stresses": TEXT, "von_mises": EXTREME, "tension": EXTREME, "compression": EXTREME, "displacement": EXTREME, "pressure": EXTREME},
     "safety": {"stresses": TEXT, "least": NUMBER, "body": TEXT, "bodies!": {"*": {"factor": NUMBER, "material!": TEXT, "criterion": TEXT, "place": NUMBERS,
                                                                            "principal_stresses": NUMBERS, "unit": TEXT, "step": COUNT, "time": NUMBER}}},
-    "reactions": {"about": NUMBERS, "conditions": {"*": {"kind": TEXT, "force": NUMBERS, "moment": NUMBERS}},
-                  "contacts": {"*": {"bodies": TEXTS, "force": NUMBERS, "moment": NUMBERS, "centre": NUMBERS, "closed": NUMBER, "whole": NUMBER}},
+    "reactions": {"about": NUMBERS, "conditions": {"*": {"kind": TEXT, "displacement": NUMBER, "displacement_low": NUMBER,
+                                                                "displacement_high": NUMBER, **FORCE}},
+                  "contacts": {"*": {"bodies": TEXTS, "centre": NUMBERS, "closed": NUMBER, "whole": NUMBER, **FORCE}},
                   "sum": {"force": NUMBERS, "moment": NUMBERS}},
     "equilibrium": {"imbalance": NUMBER}, "verification": {"*": {"value": NUMBER, "bound": NUMBER, "where": TEXT}}, "error": {"*": NUMBER},
     "load_steps": {"count": COUNT, "time": NUMBER, "work": {"external": NUMBER, "stored": NUMBER, "dissipated": NUMBER, "step_error": NUMBER}},

@@ -14,6 +14,10 @@ namespace {
 constexpr double kSamePlace = 1e-8;
 // Round-off of the weights of pairs.
 constexpr double kWeight = 1e-12;
+// Differences of gaps of the pairs of a contact, and gaps that are round-off, relative to its size.
+constexpr double kSameGap = 1e-10, kRoundOffOfGap = 1e-14;
+// Sum of the weights of one side of a mortar pair, above round-off.
+constexpr double kLeastWeight = 1e-3;
 
 }  // namespace
 
@@ -68,6 +72,8 @@ std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs, bool ignores
   for (const TouchingSide* side : b_)
     for (int j = 0; j < sideNodes_; ++j) placeOfB[side->nodes[j]] = &side->places[j], movedOfB[side->nodes[j]] = &side->moved[j];
   if (a_.empty()) return "no side of it faces another";
+  double widened = 0.0;
+  if (!findWidening(pairs, widened)) return "its gap is not that between its sides, and varies";
   const Point normal = a_.front()->normal, along = pairFrame(normal, 3)[1];
   const auto isTilted = [](const Sides& sides, const Point& direction) {
     return std::any_of(sides.begin(), sides.end(),
@@ -93,7 +99,7 @@ std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs, bool ignores
         if (norm(minus(apart, scaled(dot(apart, normal), normal))) > near) continue;
         node.b = candidate->second;
         const Point jump = minus(side->moved[j], *movedOfB.at(node.b));
-        node.gap = (ignoresDistance ? 0.0 : dot(apart, normal)) - dot(jump, normal);
+        node.gap = (ignoresDistance ? 0.0 : widened + dot(apart, normal)) - dot(jump, normal);
         node.slip = minus(jump, scaled(dot(jump, normal), normal));
       }
       if (node.b < 0) continue;  // faces nothing
@@ -103,6 +109,36 @@ std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs, bool ignores
       add(node);
     }
   return "";
+}
+
+bool ContactNodes::findWidening(const std::vector<Pair>& pairs, double& widened) const {
+  std::map<GlobalId, Point> placeOfA, placeOfB;
+  double size = 0.0;
+  for (const auto* sides : {&a_, &b_})
+    for (const TouchingSide* side : *sides)
+      for (int j = 0; j < sideNodes_; ++j) {
+        (sides == &a_ ? placeOfA : placeOfB)[side->nodes[j]] = side->places[j];
+        size = std::max(size, norm(minus(side->places[j], a_.front()->places[0])));
+      }
+  bool isFirst = true;
+  for (const Pair& pair : pairs) {
+    double between = 0.0, weightOfA = 0.0;
+    bool isKnown = true;
+    for (const PairEnd& end : pair.pair.ends) {
+      const auto onA = placeOfA.find(end.node), onB = placeOfB.find(end.node);
+      isKnown = isKnown && (onA == placeOfA.end()) != (onB == placeOfB.end());
+      if (!isKnown) break;
+      if (onA != placeOfA.end()) weightOfA += end.weight;
+      between -= end.weight * dot(pair.pair.normal, onA != placeOfA.end() ? onA->second : onB->second);
+    }
+    if (!isKnown || std::abs(weightOfA) < kLeastWeight) continue;
+    const double own = (pair.result.initialGap - between) / weightOfA;
+    if (!isFirst && std::abs(own - widened) > kSameGap * size) return false;
+    if (isFirst) widened = own;
+    isFirst = false;
+  }
+  if (std::abs(widened) < kRoundOffOfGap * size) widened = 0.0;
+  return true;
 }
 
 int ContactNodes::indexOf(GlobalId a) const {

@@ -83,6 +83,8 @@ class ContactNodes {
 
  private:
   void add(const ContactNode& node);
+  /// By how much the initial gap of mortar pairs is larger than the distance of the sides, as with a prescribed gap. False: it varies.
+  bool findWidening(const std::vector<Pair>& pairs, double& widened) const;
 
   int sideNodes_;
   const Sides &a_, &b_;

@@ -124,13 +124,30 @@ void SideConditions<D>::hold(SideCondition<D>& own, const OnSide& on, const Poin
     own.known &= ~held;
 }
 
+/// Component along the normal of the displacements that are prescribed at a node, the motion that was taken out included.
+template <int D>
+double SideConditions<D>::prescribedAlong(int node, const Point& normal) const {
+  const auto rule =
+      std::lower_bound(mesh_.rules.begin(), mesh_.rules.end(), node, [](const NodeRule& one, int sought) { return one.node < sought; });
+  if (rule == mesh_.rules.end() || rule->node != node) return 0.0;
+  double along = 0.0;
+  for (std::size_t k = 0; k < D; ++k) {
+    if (!rule->fixed[k]) continue;
+    double value = rule->value[k];
+    for (int c = 0; c < D && mesh_.lift.motion.size() > 0; ++c)
+      value += rule->axes[k][std::size_t(c)] * mesh_.lift.motion[D * Eigen::Index(node) + c];
+    along += value * dot(rule->axes[k], normal);
+  }
+  return along;
+}
+
 /// Nodes of a roller move along its mean normal there: where its sides are not parallel, they leave the polygon.
 template <int D>
 void SideConditions<D>::holdAlongNormal(SideCondition<D>& own, unsigned held, const Point& normal, const std::vector<int>& nodes) const {
   for (const int node : nodes) {
     double along = 0.0;
     for (int k = 0; k < D; ++k) along += normal[k] * mesh_.total(displacement_, D * Eigen::Index(node) + k);
-    if (std::abs(along) > kOnRoller * largest_) remark("rollers support curved sides");
+    if (std::abs(along - prescribedAlong(node, normal)) > kOnRoller * largest_) remark("rollers support curved sides");
   }
   if (own.known == 0) return;
   const int axis = axisAlong(normal);

@@ -44,6 +44,7 @@ class SideConditions {
   void hold(SideCondition<D>& own, const OnSide& on, const Point& normal, const std::vector<int>& nodes) const;
   void holdAlongNormal(SideCondition<D>& own, unsigned held, const Point& normal, const std::vector<int>& nodes) const;
   void support(SideCondition<D>& own, const OnSide& on, const Point& normal, const std::vector<int>& nodes) const;
+  double prescribedAlong(int node, const Point& normal) const;
   void addTraction(const Load& load, const Point& normal, const std::vector<int>& nodes, SideCondition<D>& own) const;
   void remark(const char* reason) const { reasons_.insert(reason); }
 

@@ -34,6 +34,11 @@ double ErrorBars::ofCondition(int condition, double largest) const { return bar(
 
 double ErrorBars::ofContact(int contact, double largest) const { return bar(isAmong(sharedContacts, contact), largest); }
 
+bool ErrorBars::isLinear(bool isContact, int number) const {
+  const bool shares = isAmong(isContact ? sharedContacts : sharedConditions, number);
+  return shares || kTurning * turning > kSquare * discretisation * discretisation;
+}
+
 double largestTurning(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs) {
   std::map<int, const PairResult*> byId;
   for (const PairResult& pair : pairs) byId[pair.id] = &pair;

@@ -37,6 +37,11 @@ struct ErrorBars {
   /// resultant of all conditions and contacts [force]
   double ofCondition(int condition, double largest) const;
   double ofContact(int contact, double largest) const;
+  /// Estimated error of a mean displacement. \param largest  largest displacement [length]
+  double ofDisplacement(double largest) const { return bar(false, largest); }
+
+  /// True if the error of the force is of first order in the error of the displacements, else of second order.
+  bool isLinear(bool isContact, int number) const;
 
   /// Factors measured in random scenes in 2D (test/drivers/force_bars.py) against meshes four times finer, r from recovered stresses
   /// (ErrorEstimate), F the largest resultant: 95 % of the errors were below 1.7 r^2 F and 0.5 r F, the largest 2.7 and 0.9; cylinders on

@@ -152,36 +152,96 @@ Json extremesJson(const Run& run, int dimension) {
   return all;
 }
 
+ForceErrors::ForceErrors(const Run& run, const std::vector<ConditionResultant>& conditions, const std::vector<ContactResultant>& contacts)
+    : run_(run), largest_(largestForce(conditions, contacts)) {}
+
+std::optional<double> ForceErrors::of(const ConditionResultant& condition) const {
+  if (!run_.solution.errorBars || condition.kind != "support") return std::nullopt;
+  return run_.solution.errorBars->ofCondition(numberOf(run_.conditions, condition.name), largest_);
+}
+
+std::optional<double> ForceErrors::ofContact(int line) const {
+  if (!run_.solution.errorBars) return std::nullopt;
+  return run_.solution.errorBars->ofContact(line, largest_);
+}
+
+const ForceInterval* intervalOf(const Run& run, const std::string& name, bool isContact) {
+  for (const ForceInterval& one : run.solution.intervals)
+    if (one.name == name && one.isContact == isContact) return &one;
+  return nullptr;
+}
+
 double largestForceError(const Run& run) {
-  if (!run.solution.errorBars) return 0.0;
   const std::vector<ConditionResultant> conditions = conditionResultants(run);
   const std::vector<ContactResultant> contacts = contactResultants(run);
-  const double force = largestForce(conditions, contacts);
+  const ForceErrors errors(run, conditions, contacts);
   double largest = 0;
-  for (const ConditionResultant& one : conditions)
-    if (one.kind == "support") largest = std::max(largest, run.solution.errorBars->ofCondition(numberOf(run.conditions, one.name), force));
+  for (const ConditionResultant& one : conditions) largest = std::max(largest, errors.of(one).value_or(0.0));
   for (std::size_t line = 0; line < contacts.size(); ++line)
-    largest = std::max(largest, run.solution.errorBars->ofContact(static_cast<int>(line), force));
+    largest = std::max(largest, errors.ofContact(static_cast<int>(line)).value_or(0.0));
   return largest;
+}
+
+namespace {
+
+/// Adds the bounds of a force or displacement to its row; null: not bounded.
+void addInterval(const ForceInterval* interval, int dimension, Json& row) {
+  if (!interval) return;
+  const auto known = [](const std::optional<Interval>& one, double Interval::*end) { return one ? Json((*one).*end) : Json(); };
+  if (interval->displacement) {
+    row["displacement"] = *interval->displacement;
+    row["displacement_low"] = known(interval->ofDisplacement, &Interval::low);
+    row["displacement_high"] = known(interval->ofDisplacement, &Interval::high);
+  } else {
+    row["force_low"] = row["force_high"] = Json::array();
+    for (int k = 0; k < dimension; ++k) {
+      row["force_low"].push_back(known(interval->force[static_cast<std::size_t>(k)], &Interval::low));
+      row["force_high"].push_back(known(interval->force[static_cast<std::size_t>(k)], &Interval::high));
+    }
+  }
+  if (!interval->reason.empty()) row["not_bounded"] = interval->reason;
+}
+
+}  // namespace
+
+std::string intervalsText(const Run& run, int dimension) {
+  const Units units = unitsOf(*run.scene.parameters);
+  std::string text;
+  for (const ForceInterval& one : run.solution.intervals) {
+    std::string values;
+    for (int k = 0; k < dimension; ++k)
+      if (const std::optional<Interval>& force = one.force[static_cast<std::size_t>(k)]; force && (force->low != 0.0 || force->high != 0.0))
+        values += format("%s%c from %.6g to %.6g", values.empty() ? "" : ", ", "xyz"[k], force -> low, force -> high);
+    if (!values.empty()) values += " " + units.force;
+    if (one.ofDisplacement)
+      values = format("mean displacement from %.6g to %.6g %s", one.ofDisplacement->low, one.ofDisplacement->high, units.length.c_str());
+    if (!one.reason.empty()) values += (values.empty() ? "not bounded, because " : "; not all bounded, because ") + one.reason;
+    text += "   strict: " + std::string(one.isContact ? "contact" : "condition") + " '" + one.name + "' " +
+            (values.empty() ? "no force" : values) + "\n";
+  }
+  return text;
 }
 
 Json reactionsJson(const Run& run, int dimension) {
   const std::vector<ConditionResultant> conditions = conditionResultants(run);
   const std::vector<ContactResultant> contacts = contactResultants(run);
   const std::optional<ErrorBars>& bars = run.solution.errorBars;
-  const double largest = largestForce(conditions, contacts);
+  const ForceErrors errors(run, conditions, contacts);
   Json all = {{"about", componentsOf({0, 0, 0}, dimension)}, {"conditions", Json::object()}, {"contacts", Json::object()}};
   for (const ConditionResultant& condition : conditions) {
     Json row = {{"kind", condition.kind}};
     row.update(resultantOf(condition.sum, dimension));
-    if (bars && condition.kind == "support") row["force_error"] = bars->ofCondition(numberOf(run.conditions, condition.name), largest);
+    if (const std::optional<double> error = errors.of(condition)) row["force_error"] = *error;
+    addInterval(intervalOf(run, condition.name, false), dimension, row);
     all["conditions"][condition.name] = row;
   }
   for (std::size_t line = 0; line < contacts.size(); ++line) {
+    const std::string name = contactName(run, static_cast<int>(line));
     Json row = contactJson(run, contacts[line], dimension);
-    if (bars) row["force_error"] = bars->ofContact(static_cast<int>(line), largest);
+    if (const std::optional<double> error = errors.ofContact(static_cast<int>(line))) row["force_error"] = *error;
+    addInterval(intervalOf(run, name, true), dimension, row);
     for (const ContactResultant& part : contacts[line].ofBodies) row["of_bodies"].push_back(contactJson(run, part, dimension));
-    all["contacts"][contactName(run, static_cast<int>(line))] = row;
+    all["contacts"][name] = row;
   }
   if (bars) all["force_error_kind"] = "estimate";
   all["sum"] = resultantOf(sumOfResultants(conditions, contacts), dimension);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,28 @@ std::vector<ContactResultant> contactResultants(const Run& run);
 /// Sum over all conditions and rigid obstacles; zero within the accuracy of the solution. On rank 0.
 Resultant sumOfResultants(const std::vector<ConditionResultant>& conditions, const std::vector<ContactResultant>& contacts);
 
+/// Estimated errors of the forces of a run, if it has error bars. On rank 0.
+class ForceErrors {
+ public:
+  ForceErrors(const Run& run, const std::vector<ConditionResultant>& conditions, const std::vector<ContactResultant>& contacts);
+
+  /// Nothing for loads, and without error bars. [force]
+  std::optional<double> of(const ConditionResultant& condition) const;
+  std::optional<double> ofContact(int line) const;
+
+ private:
+  const Run& run_;
+  double largest_ = 0.0;  // resultant
+};
+
+/// Strict bounds of the force of a condition or contact; null: not requested. Local.
+const ForceInterval* intervalOf(const Run& run, const std::string& name, bool isContact);
+
 /// Largest estimated error of the force of a support or contact, if error bars are requested. On rank 0. [force]
 double largestForceError(const Run& run);
+
+/// Lines of the console: strict bounds of forces. On rank 0.
+std::string intervalsText(const Run& run, int dimension);
 
 /// Name of a body, "" for a rigid obstacle. Local.
 std::string bodyName(const Run& run, int body);

@@ -84,29 +84,64 @@ std::string bodyNames(const Run& run, const std::vector<int>& bodies) {
 }
 }  // namespace
 
+namespace {
+
+/// Further columns of reactions.csv: errors and bounds of the forces, if they are requested.
+class ErrorColumns {
+ public:
+  explicit ErrorColumns(const Run& run) : hasErrors_(run.solution.errorBars.has_value()), hasBounds_(!run.solution.intervals.empty()) {}
+
+  std::string names() const {
+    return std::string(hasErrors_ ? ",force_error" : "") +
+           (hasBounds_ ? ",fx_low,fx_high,fy_low,fy_high,fz_low,fz_high,displacement,displacement_low,displacement_high" : "");
+  }
+  std::string fields(const std::optional<double>& error = std::nullopt, const ForceInterval* bounds = nullptr) const {
+    std::string text;
+    if (hasErrors_) text += field(error);
+    if (!hasBounds_) return text;
+    for (std::size_t k = 0; k < 3; ++k) text += fields(bounds ? bounds->force[k] : std::nullopt);
+    return text + field(bounds ? bounds->displacement : std::nullopt) + fields(bounds ? bounds->ofDisplacement : std::nullopt);
+  }
+
+ private:
+  static std::string field(const std::optional<double>& value) { return value ? csvNumber(*value, 0.0) : ","; }
+  static std::string fields(const std::optional<Interval>& one) {
+    return one ? csvNumber(one->low, 0.0) + csvNumber(one->high, 0.0) : ",,";
+  }
+
+  bool hasErrors_, hasBounds_;
+};
+
+}  // namespace
+
 void writeReactionTable(const Run& run, const std::string& path) {
   const std::vector<ConditionResultant> conditions = conditionResultants(run);
   const std::vector<ContactResultant> contacts = contactResultants(run);
   const Resultant sum = sumOfResultants(conditions, contacts);
+  const ForceErrors errors(run, conditions, contacts);
+  const ErrorColumns columns(run);
   Scales scales;
   for (const ConditionResultant& condition : conditions) scales.take(condition.sum);
   for (const ContactResultant& contact : contacts) scales.take(contact.onB);
   double place = 0.0;
   for (const PairResult& pair : run.solution.pairs) place = std::max(place, norm(pair.position));
-  std::string text = "name,kind,body_a,body_b,fx,fy,fz,mx,my,mz,centre_x,centre_y,centre_z,closed\n";
+  std::string text = "name,kind,body_a,body_b,fx,fy,fz,mx,my,mz,centre_x,centre_y,centre_z,closed" + columns.names() + "\n";
   for (const ConditionResultant& condition : conditions)
-    text += csvField(condition.name) + "," + condition.kind + ",," + scales.fields(condition.sum) + ",,,,\n";
-  const auto add = [&](const std::string& name, const char* kind, const ContactResultant& contact) {
+    text += csvField(condition.name) + "," + condition.kind + ",," + scales.fields(condition.sum) + ",,,," +
+            columns.fields(errors.of(condition), intervalOf(run, condition.name, false)) + "\n";
+  const auto add = [&](const std::string& name, const char* kind, const ContactResultant& contact, const std::string& fields) {
     text += csvField(name) + "," + kind + "," + csvField(bodyNames(run, contact.bodies[0])) + "," +
             csvField(bodyNames(run, contact.bodies[1])) + scales.fields(contact.onB) +
-            (contact.presses() ? vectorFields(contact.centre, place) : ",,,") + csvNumber(contact.closed, 0.0) + "\n";
+            (contact.presses() ? vectorFields(contact.centre, place) : ",,,") + csvNumber(contact.closed, 0.0) + fields + "\n";
   };
   for (std::size_t line = 0; line < contacts.size(); ++line) {
-    add(run.contacts[line], "contact", contacts[line]);
+    add(run.contacts[line], "contact", contacts[line],
+        columns.fields(errors.ofContact(static_cast<int>(line)), intervalOf(run, run.contacts[line], true)));
     for (const ContactResultant& part : contacts[line].ofBodies)
-      add(run.contacts[line] + ": " + bodyNames(run, part.bodies[0]) + ", " + bodyNames(run, part.bodies[1]), "bodies", part);
+      add(run.contacts[line] + ": " + bodyNames(run, part.bodies[0]) + ", " + bodyNames(run, part.bodies[1]), "bodies", part,
+          columns.fields());
   }
-  text += "sum,sum,," + scales.fields(sum) + ",,,,\n";
+  text += "sum,sum,," + scales.fields(sum) + ",,,," + columns.fields() + "\n";
   writeTextFile(path, text);
 }
 
