@@ -136,7 +136,9 @@ def panel(axis, levels, cost, predicted, words, rough_words, own=None):
     axis.set_xlim(limits([*x, *([drawn] if drawn else [])], 12.0))
     estimates = [value for value in levels.estimate[shown] if value > 0] if levels.has_estimate else []
     axis.set_ylim(limits([*y, *estimates, *([levels.requested] if levels.requested else [])], 4.0))
-    if len(x):
+    if len(x):  # space for the texts below the last points
+        low, high = axis.get_ylim()
+        axis.set_ylim(min(low, y[-1] * (high / low)**-0.12), high)
         name_ends(axis, x[-1], y[-1], drawn, words, rough_words)
 
 
