@@ -3,6 +3,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -12,6 +13,8 @@ namespace {
 
 const char* const kList = "Accuracy";
 const char* const kNone = "None";
+const char* const kStraight = "Straight";
+const char* const kCurved = "Curved";
 
 std::string percent(double share) {
   char text[40];
@@ -32,6 +35,10 @@ Schema AccuracyRequest::schema() {
           "the solution. None: the scene is solved on its own mesh.")
       .oneOf("Quantity", kEnergy, {kEnergy}, "Quantity of which the error is meant. Energy: the energy norm.")
       .oneOf("Order", "Automatic", {"Automatic", "1", "2"}, "Order of the elements. Automatic: Mesh/Order, or 2 without it.")
+      .oneOf("Sides", kStraight, {kStraight, kCurved},
+             "Sides of second-order elements on curves. Straight: the bound of the error is strict for the polygon of the mesh, and the "
+             "effect of its straight sides is estimated and kept small by short sides; contacts and sliding supports stay curved. "
+             "Curved: sides follow the curves, and the bound is an estimate.")
       .integer("Most Unknowns", 2000000, "Largest number of unknowns of a mesh, predicted before it is made.", Range::atLeast(1))
       .real("Most Seconds", 0.0, "Time limit for all meshes; a mesh that would exceed it is not made. 0: none.", Range::atLeast(0), "s")
       .integer("Most Levels", 12, "Largest number of meshes.", Range::atLeast(1));
@@ -46,11 +53,14 @@ std::optional<AccuracyRequest> AccuracyRequest::of(const Parameters& settings) {
   request.error = *error;
   request.quantity = list.get<std::string>("Quantity");
   request.order = parseInteger(list.get<std::string>("Order")).value_or(0);
+  request.keepsCurves = list.get<std::string>("Sides") == kCurved;
   request.mostUnknowns = list.get<int>("Most Unknowns");
   request.mostSeconds = list.get<double>("Most Seconds");
   request.mostLevels = list.get<int>("Most Levels");
   return request;
 }
+
+double AccuracyReached::total() const { return std::hypot(reached, geometry.value_or(0.0)); }
 
 std::string AccuracyReached::failure() const {
   static const std::map<std::string, std::string> limits{{"unknowns", "Accuracy/Most Unknowns"},
@@ -61,7 +71,7 @@ std::string AccuracyReached::failure() const {
                                                          {"mesh", "the mesher, which cannot make the next mesh"}};
   if (isMet()) return "";
   const auto name = limits.find(limit);
-  return "the error of " + (quantity == AccuracyRequest::kEnergy ? "the energy norm" : quantity) + " is " + percent(reached) +
+  return "the error of " + (quantity == AccuracyRequest::kEnergy ? "the energy norm" : quantity) + " is " + percent(total()) +
          ", requested " + percent(requested) + "; the limit is " + (name == limits.end() ? limit : name->second);
 }
 

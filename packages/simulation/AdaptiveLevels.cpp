@@ -1,6 +1,8 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Timers.hpp>
+#include <suture/report/Report.hpp>
+#include <suture/report/Steps.hpp>
 #include <suture/simulation/LevelError.hpp>
 #include <suture/simulation/MeshSequence.hpp>
 #include <suture/simulation/Stages.hpp>
@@ -38,7 +40,7 @@ class AdaptiveLevels {
   }
 
   JudgedScene run() {
-    while (judged_.solution_.isValid() && reached_.reached > request_.error) {
+    while (judged_.solution_.isValid() && reached_.total() > request_.error) {
       const double begin = Timers::now();
       const Next next = nextMesh();
       if (!reached_.limit.empty()) break;
@@ -67,14 +69,39 @@ class AdaptiveLevels {
     const Solution& solution = judged_.solution();
     const ProblemSize& size = judged_.size();
     error_ = levelError(solution);
-    AccuracyLevel level{
-        size.dofs,           size.elements,   error_.relative(), error_.strict, seconds, solution.pcgTotal + solution.auxiliary.pcg,
-        solution.iterations, solution.energy, solution.energy,   refinement};
+    findPolygonError();
+    AccuracyLevel level{size.dofs,
+                        size.elements,
+                        error_.relative(),
+                        error_.strict,
+                        geometry_,
+                        seconds,
+                        solution.pcgTotal + solution.auxiliary.pcg,
+                        solution.iterations,
+                        solution.energy,
+                        solution.energy,
+                        refinement};
     broadcastBytes(comm(), &level.seconds, sizeof level.seconds);
     judged_.run().monitor().endLevel(static_cast<int>(reached_.levels.size()), level);
     reached_.levels.push_back(level);
     reached_.reached = level.error;
     reached_.strict = level.strict;
+    reached_.geometry = level.geometry;
+  }
+
+  /// Effect of straight sides of the present mesh.
+  void findPolygonError() {
+    std::optional<std::vector<ChordSide>> sides;
+    collectivelyOnRoot(comm(), "finding straight sides", [&] { sides = judged_.scene().meshes->chords(*parts().whole); });
+    int isKnown = sides.has_value() ? 1 : 0;
+    broadcastBytes(comm(), &isKnown, sizeof isKnown);
+    geometry_.reset();
+    if (isKnown == 0) return;
+    polygon_ = polygonError(comm(), judged_.meshes(), judged_.scene().model, judged_.solution().displacement,
+                            std::move(sides).value_or(std::vector<ChordSide>()), static_cast<int>(judged_.size().elements));
+    double norm = std::sqrt(polygon_.square());
+    broadcastBytes(comm(), &norm, sizeof norm);
+    geometry_ = error_.norm > 0.0 ? norm / error_.norm : 0.0;
   }
 
   /// The scene on the next mesh; without one, sets the limit.
@@ -90,8 +117,9 @@ class AdaptiveLevels {
     const double wanted = wantedError();
     const bool isUniform = measuresRate();
     MeshErrors errors{*parts().whole,
-                      squaresOnRoot(comm(), judged_.meshes(), error_.ofElements, static_cast<int>(last.elements)),
-                      facingNodes(comm(), judged_.meshes(), *parts().whole),
+                      squares(static_cast<int>(last.elements)),
+                      facingNodes(comm(), judged_.meshes(), *parts().whole, judged_.solution().pairs),
+                      polygon_,
                       {wanted * wanted, static_cast<double>(request_.mostUnknowns) / perElement},
                       isUniform};
     Plan plan;
@@ -112,9 +140,16 @@ class AdaptiveLevels {
     return next;
   }
 
-  /// Energy norm of the error that the next mesh is to have.
+  /// Squared errors of all elements, on rank 0.
+  std::vector<double> squares(int elements) const {
+    std::vector<Vector> mine;
+    for (const Vector& errors : error_.ofElements) mine.emplace_back(errors.cwiseAbs2());
+    return valuesOnRoot(comm(), judged_.meshes(), mine, elements);
+  }
+
+  /// Energy norm of the error that the next mesh is to have, with the effect of straight sides.
   double wantedError() const {
-    const double goal = kAim * request_.error * error_.norm, step = error_.error / kStep;
+    const double goal = kAim * request_.error * error_.norm, step = reached_.total() * error_.norm / kStep;
     return goal > kNear * step ? goal : step;
   }
 
@@ -158,7 +193,9 @@ class AdaptiveLevels {
     try {
       PreparedScene prepared = prepare(*std::move(next));
       prepared.remark();
-      prepared.startFrom(nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes()));
+      // A load path begins without loads: the present solution, at its end, is no start for it.
+      if (scene.steps.empty())
+        prepared.startFrom(nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes()));
       JudgedScene judged = judge(suture::solve(std::move(prepared)));
       const Solution& solution = judged.solution();
       if (solution.isValid() || solution.stopped) {
@@ -169,7 +206,17 @@ class AdaptiveLevels {
     } catch (const NumericalError& error) {
       endWithout(error.what());
     }
+    if (!scene.steps.empty()) restoreFiles();
     return false;
+  }
+
+  /// Replaces the files of a load path without an end by those of the last step of the present solution.
+  void restoreFiles() const {
+    if (!judged_.run().writes()) return;
+    collectivelyOnRoot(comm(), "removing fields of the next mesh", [&] { removeStepFields(judged_.run().folder(), 0); });
+    if (wantsFields(judged_.scene().settings())) writeStepFields(runOf(parts(), judged_.solution()), parts().path->rows);
+    writeState(parts(), judged_.solution());
+    judged_.run().monitor().note("only the last load step has fields: those of the steps before were overwritten by the next mesh");
   }
 
   /// Ends the search: the scene has no valid solution on the next mesh.
@@ -211,6 +258,8 @@ class AdaptiveLevels {
   const AccuracyRequest request_;
   int dimension_ = 2, order_ = 2;
   LevelError error_;
+  PolygonError polygon_;            // on rank 0
+  std::optional<double> geometry_;  // relative effect of straight sides; nothing: not known
   AccuracyReached reached_;
 };
 
