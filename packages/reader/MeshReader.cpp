@@ -245,6 +245,7 @@ Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folde
     input.allowPrograms = mesh.get<bool>("Allow Programs");
     input.order = source.order == 0 ? changes.order : source.order;
     input.simplices = changes.simplices;
+    input.mayTangle = changes.mayTangle;
     input.sizes = changes.sizes;
     input.largest = source.largest;
     input.unit = source.unit;

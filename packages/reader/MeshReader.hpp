@@ -25,6 +25,7 @@ struct MeshChanges {
   double factor = 1.0;                       ///< multiplies all sizes
   int order = 0;                             ///< order of the elements where the list has none; 0: no change
   bool simplices = false;                    ///< triangles and tetrahedra only
+  bool mayTangle = false;                    ///< see GmshInput::mayTangle
   std::shared_ptr<const SizeField> sizes{};  ///< replaces all sizes and numbers of elements; on rank 0
 };
 

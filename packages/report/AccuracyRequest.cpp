@@ -7,6 +7,7 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -16,6 +17,8 @@ namespace {
 
 const char* const kList = "Accuracy";
 const char* const kNone = "None";
+const char* const kStraight = "Straight";
+const char* const kCurved = "Curved";
 
 std::map<std::string, Schema> quantities() {
   const char* const contact = "Name of the contact; may be omitted if there is only one.";
@@ -74,6 +77,10 @@ Schema AccuracyRequest::schema() {
               "Quantity of which the error is meant. All but Energy have estimated errors; meshes are refined by the energy norm.", "",
               {kEnergy})
       .oneOf("Order", "Automatic", {"Automatic", "1", "2"}, "Order of the elements. Automatic: Mesh/Order, or 2 without it.")
+      .oneOf("Sides", kStraight, {kStraight, kCurved},
+             "Sides of second-order elements on curves. Straight: the bound of the error is strict for the polygon of the mesh, and the "
+             "effect of its straight sides is estimated and kept small by short sides; contacts and sliding supports stay curved. "
+             "Curved: sides follow the curves, and the bound is an estimate.")
       .integer("Most Unknowns", 2000000, "Largest number of unknowns of a mesh, predicted before it is made.", Range::atLeast(1))
       .real("Most Seconds", 0.0, "Time limit for all meshes; a mesh that would exceed it is not made. 0: none.", Range::atLeast(0), "s")
       .integer("Most Levels", 12, "Largest number of meshes.", Range::atLeast(1));
@@ -90,6 +97,7 @@ std::optional<AccuracyRequest> AccuracyRequest::of(const Parameters& settings) {
   request.object = objectOf(request.quantity, list);
   if (request.quantity == kMeanDisplacement) request.direction = directionOf(settings, list.sublist(kMeanDisplacement));
   request.order = parseInteger(list.get<std::string>("Order")).value_or(0);
+  request.keepsCurves = list.get<std::string>("Sides") == kCurved;
   request.mostUnknowns = list.get<int>("Most Unknowns");
   request.mostSeconds = list.get<double>("Most Seconds");
   request.mostLevels = list.get<int>("Most Levels");
@@ -104,6 +112,7 @@ std::string AccuracyRequest::name() const {
     return object.empty() ? "the largest contact pressure" : "the largest pressure of contact '" + object + "'";
   return "the energy norm";
 }
+double AccuracyReached::total() const { return std::hypot(reached, geometry.value_or(0.0)); }
 
 std::string AccuracyReached::failure() const {
   static const std::map<std::string, std::string> limits{{"unknowns", "Accuracy/Most Unknowns"},
@@ -116,7 +125,7 @@ std::string AccuracyReached::failure() const {
   const std::string subject = quantity == AccuracyRequest::kEnergy ? "the energy norm" : quantity;
   if (limit == "quantity") return subject + " has no relative error: " + why;
   const auto name = limits.find(limit);
-  return "the error of " + subject + " is " + percent(reached) + ", requested " + percent(requested) + "; the limit is " +
+  return "the error of " + subject + " is " + percent(total()) + ", requested " + percent(requested) + "; the limit is " +
          (name == limits.end() ? limit : name->second);
 }
 

@@ -18,6 +18,7 @@ struct AccuracyRequest {
   std::string object{};            ///< its contact, condition or side group; a contact may be empty: the only one, for a pressure all
   Point direction{0, 0, 0};        ///< direction of a mean displacement, not normalised
   int order = 0;                   ///< order of the elements; 0: second order, unless the list Mesh has an order
+  bool keepsCurves = false;        ///< second-order sides follow curves
   long long mostUnknowns = 0;
   double mostSeconds = 0.0;  ///< time limit of the whole run; 0: none [s]
   int mostLevels = 0;
@@ -41,6 +42,7 @@ struct AccuracyLevel {
   int outer = 0;                     ///< outer iterations
   double energy = 0.0;               ///< total potential energy
   std::string refinement;            ///< origin of the mesh: "start", "size field", "bisection", "uniform"
+  std::optional<double> geometry{};  ///< relative effect of straight sides in place of curved ones, estimated; nothing: not known
   std::optional<double> estimate{};  ///< relative error in the energy norm, estimated from recovered stresses
   /// If the quantity is not the energy norm: its value, and the relative error in the energy norm, by which meshes are refined.
   std::optional<double> value{}, energyError{};
@@ -49,9 +51,10 @@ struct AccuracyLevel {
 /// Result of a request for accuracy.
 struct AccuracyReached {
   double requested = 0.0;
-  std::string quantity;  ///< AccuracyRequest::name(); "Energy" for the energy norm
-  double reached = 0.0;  ///< relative error of the quantity
-  bool strict = false;   ///< `reached` is a bound, otherwise an estimate
+  std::string quantity;              ///< AccuracyRequest::name(); "Energy" for the energy norm
+  double reached = 0.0;              ///< relative error of the quantity
+  bool strict = false;               ///< `reached` is a bound, otherwise an estimate
+  std::optional<double> geometry{};  ///< of the energy norm: AccuracyLevel::geometry
   std::string limit;  ///< limit that ended the search: "unknowns", "memory", "time", "levels", "mesh", "solution", "quantity"; empty: the
                       ///< request is met
   std::string why{};  ///< with the limit "quantity": why the quantity has no relative error
@@ -64,6 +67,8 @@ struct AccuracyReached {
   std::optional<Uniform> uniform;
 
   bool isMet() const { return limit.empty(); }
+  /// `reached` with the effect of straight sides: their squares add up, as differences of the energy.
+  double total() const;
   /// "error of 2.3 % instead of 1 %, ended by Accuracy/Most Unknowns"; empty if the request is met.
   std::string failure() const;
 };

@@ -147,8 +147,10 @@ std::string accuracy(const Run& run) {
   const std::string failure = reached.failure();
   if (!failure.empty()) return "   " + run.monitor.in(RunMonitor::Colour::Bad, "ACCURACY NOT REACHED: ") + failure + "\n";
   const std::string name = reached.quantity == AccuracyRequest::kEnergy ? "the energy norm" : reached.quantity;
-  return format("   accuracy: the error of %s is %s %.2g %%, requested %.3g %%; %s\n", name.c_str(), reached.strict ? "at most" : "about",
-                roundedUp(100 * reached.reached, 2), 100 * reached.requested,
+  const double geometry = 100 * reached.geometry.value_or(0.0);
+  const std::string sides = geometry > 0.0 ? format(" for the polygon of the mesh, whose straight sides add about %.1g %%", geometry) : "";
+  return format("   accuracy: the error of %s is %s %.2g %%%s; requested %.3g %%; %s\n", name.c_str(), reached.strict ? "at most" : "about",
+                roundedUp(100 * reached.reached, 2), sides.c_str(), 100 * reached.requested,
                 reached.levels.size() == 1 ? "1 mesh" : (grouped(static_cast<long long>(reached.levels.size())) + " meshes").c_str());
 }
 

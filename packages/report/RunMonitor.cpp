@@ -44,7 +44,7 @@ void RunMonitor::outer(const OuterRow& given) {
 }
 
 void RunMonitor::endStep(const StepRow& row) {
-  if (!console_) return;
+  if (!console_ || (inLevels_ && !verbose_)) return;
   if (row.step == 1 || verbose_)
     *console_ << " step        time   outer   PCG   closed   stick    slip  changed         energy     dissipated    seconds\n";
   *console_ << format("%5d%12.6g%8d%6d%9d%8d%8d%9d%15.4e%15.4e%11.2f", row.step, row.time, row.outer, row.pcg, row.active, row.sticking,

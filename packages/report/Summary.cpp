@@ -61,7 +61,7 @@ Json errors(const Solution& answer) {
 }
 
 // Bound of the error in the energy norm; the figures are missing where nothing could be computed.
-Json bound(const ErrorBound& of) {
+Json bound(const ErrorBound& of, const AccuracyReached* accuracy) {
   Json all = {{"strict", of.strict}, {"reasons", of.reasons}};
   if (!of.exists) return all;
   all["total"] = of.total;
@@ -69,6 +69,7 @@ Json bound(const ErrorBound& of) {
   all["discretisation"] = of.discretisation;
   all["algebraic"] = of.algebraic;
   all["oscillation"] = of.oscillation;
+  if (accuracy && accuracy->geometry) all["geometry"] = *accuracy->geometry * of.solutionNorm;
   all["energy_lower"] = of.energyLower;
   all["energy_upper"] = of.energyUpper;
   all["imbalance"] = of.imbalance;
@@ -149,9 +150,11 @@ Json accuracy(const AccuracyReached& reached) {
     if (level.estimate) levels.back()["estimate"] = *level.estimate;
     if (level.value) levels.back()["value"] = *level.value;
     if (level.energyError) levels.back()["energy_error"] = *level.energyError;
+    if (level.geometry) levels.back()["geometry"] = *level.geometry;
   }
   Json all = {{"requested", reached.requested}, {"quantity", reached.quantity}, {"reached", reached.reached},
               {"strict", reached.strict},       {"limit", reached.limit},       {"levels", levels}};
+  if (reached.geometry) all["geometry"] = *reached.geometry;
   if (reached.uniform)
     all["uniform"] = {{"order", reached.uniform->order}, {"unknowns", reached.uniform->unknowns}, {"seconds", reached.uniform->seconds}};
   return all;
@@ -267,7 +270,7 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
     if (!answer.rigidGroups.empty()) summary["rigid_groups"] = rigidGroupsJson(run, dimension);
     if (!answer.safety.ofBodies.empty()) summary["safety"] = safetyJson(run, dimension);
     if (run.accuracy) summary["accuracy"] = accuracy(*run.accuracy);
-    if (answer.bound) summary["bound"] = bound(*answer.bound);
+    if (answer.bound) summary["bound"] = bound(*answer.bound, run.accuracy ? &*run.accuracy : nullptr);
     if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
     // Text that is not UTF-8 (a title in Latin-1) must not make the results unwritable.
     text = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -1,6 +1,8 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Timers.hpp>
+#include <suture/report/Report.hpp>
+#include <suture/report/Steps.hpp>
 #include <suture/simulation/LevelError.hpp>
 #include <suture/simulation/MeshSequence.hpp>
 #include <suture/simulation/QuantityError.hpp>
@@ -69,16 +71,17 @@ class AdaptiveLevels {
   const SceneParts& parts() const { return *judged_.parts_; }
   const Comm& comm() const { return judged_.run().comm(); }
 
-  bool isReached() const { return reached_.reached <= request_.error && quantity_.isComplete && quantity_.why.empty(); }
+  bool isReached() const { return reached_.total() <= request_.error && quantity_.isComplete && quantity_.why.empty(); }
 
   /// Records the present mesh.
   void end(double seconds, const std::string& refinement) {
     const Solution& solution = judged_.solution();
     const ProblemSize& size = judged_.size();
     error_ = levelError(solution);
-    AccuracyLevel level{size.dofs,           size.elements,   error_.relative(),
-                        error_.strict,       seconds,         solution.pcgTotal + solution.auxiliary.pcg,
-                        solution.iterations, solution.energy, refinement};
+    findPolygonError();
+    AccuracyLevel level{
+        size.dofs,           size.elements,   error_.relative(), error_.strict, seconds, solution.pcgTotal + solution.auxiliary.pcg,
+        solution.iterations, solution.energy, refinement,        geometry_};
     if (solution.discretisation) level.estimate = solution.discretisation->relative();
     if (!request_.isEnergy()) judgeQuantity(level);
     broadcastBytes(comm(), &level.seconds, sizeof level.seconds);
@@ -86,6 +89,22 @@ class AdaptiveLevels {
     reached_.levels.push_back(level);
     reached_.reached = level.error;
     reached_.strict = level.strict;
+    if (request_.isEnergy()) reached_.geometry = level.geometry;
+  }
+
+  /// Effect of straight sides of the present mesh.
+  void findPolygonError() {
+    std::optional<std::vector<ChordSide>> sides;
+    collectivelyOnRoot(comm(), "finding straight sides", [&] { sides = judged_.scene().meshes->chords(*parts().whole); });
+    int isKnown = sides.has_value() ? 1 : 0;
+    broadcastBytes(comm(), &isKnown, sizeof isKnown);
+    geometry_.reset();
+    if (isKnown == 0) return;
+    polygon_ = polygonError(comm(), judged_.meshes(), judged_.scene().model, judged_.solution().displacement,
+                            std::move(sides).value_or(std::vector<ChordSide>()), static_cast<int>(judged_.size().elements));
+    double norm = std::sqrt(polygon_.square());
+    broadcastBytes(comm(), &norm, sizeof norm);
+    geometry_ = error_.norm > 0.0 ? norm / error_.norm : 0.0;
   }
 
   /// Replaces the error by that of the requested quantity.
@@ -111,8 +130,9 @@ class AdaptiveLevels {
     const double wanted = wantedError();
     const bool isUniform = measuresRate();
     MeshErrors errors{*parts().whole,
-                      squaresOnRoot(comm(), judged_.meshes(), error_.ofElements, static_cast<int>(last.elements)),
-                      facingNodes(comm(), judged_.meshes(), *parts().whole),
+                      squares(static_cast<int>(last.elements)),
+                      facingNodes(comm(), judged_.meshes(), *parts().whole, judged_.solution().pairs),
+                      polygon_,
                       {wanted * wanted, static_cast<double>(request_.mostUnknowns) / perElement},
                       isUniform};
     Plan plan;
@@ -133,16 +153,24 @@ class AdaptiveLevels {
     return next;
   }
 
+  /// Squared errors of all elements, on rank 0.
+  std::vector<double> squares(int elements) const {
+    std::vector<Vector> mine;
+    for (const Vector& errors : error_.ofElements) mine.emplace_back(errors.cwiseAbs2());
+    return valuesOnRoot(comm(), judged_.meshes(), mine, elements);
+  }
+
   /// Factor by which the error in the energy norm is too large for the aim; the error of another quantity is proportional to a power of it.
   double excess() const {
+    if (request_.isEnergy()) return reached_.total() / (kAim * request_.error);
     const double ratio = reached_.levels.back().error / (kAim * request_.error);
-    if (request_.isEnergy()) return ratio;
     return quantity_.isComplete ? std::pow(ratio, 1.0 / quantity_.order) : std::max(ratio, kStep);
   }
 
-  /// Energy norm of the error that the next mesh is to have.
+  /// Energy norm of the error that the next mesh is to have, with the effect of straight sides.
   double wantedError() const {
-    const double goal = error_.error / excess(), step = error_.error / kStep;
+    const double present = std::hypot(error_.error, geometry_.value_or(0.0) * error_.norm);
+    const double goal = present / excess(), step = present / kStep;
     return goal > kNear * step ? goal : step;
   }
 
@@ -196,9 +224,12 @@ class AdaptiveLevels {
     try {
       PreparedScene prepared = prepare(*std::move(next));
       prepared.remark();
-      Start start = nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes());
-      start.predictedError = predictedError(wanted.refinement);
-      prepared.startFrom(std::move(start));
+      // A load path begins without loads: the present solution, at its end, is no start for it.
+      if (wanted.scene.steps.empty()) {
+        Start start = nestedStart(run.comm(), CoarseAnswer{judged_.meshes(), judged_.solution()}, prepared.meshes());
+        start.predictedError = predictedError(wanted.refinement);
+        prepared.startFrom(std::move(start));
+      }
       JudgedScene judged = judge(suture::solve(std::move(prepared)));
       const Solution& solution = judged.solution();
       if (solution.isValid() || solution.stopped) {
@@ -209,7 +240,17 @@ class AdaptiveLevels {
     } catch (const NumericalError& error) {
       endWithout(error.what());
     }
+    if (!wanted.scene.steps.empty()) restoreFiles();
     return false;
+  }
+
+  /// Replaces the files of a load path without an end by those of the last step of the present solution.
+  void restoreFiles() const {
+    if (!judged_.run().writes()) return;
+    collectivelyOnRoot(comm(), "removing fields of the next mesh", [&] { removeStepFields(judged_.run().folder(), 0); });
+    if (wantsFields(judged_.scene().settings())) writeStepFields(runOf(parts(), judged_.solution()), parts().path->rows);
+    writeState(parts(), judged_.solution());
+    judged_.run().monitor().note("only the last load step has fields: those of the steps before were overwritten by the next mesh");
   }
 
   /// Ends the search: the scene has no valid solution on the next mesh.
@@ -251,6 +292,8 @@ class AdaptiveLevels {
   int dimension_ = 2, order_ = 2;
   LevelError error_;
   QuantityError quantity_;
+  PolygonError polygon_;            // on rank 0
+  std::optional<double> geometry_;  // relative effect of straight sides; nothing: not known
   AccuracyReached reached_;
 };
 

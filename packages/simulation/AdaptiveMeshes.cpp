@@ -19,13 +19,22 @@ int orderOf(const Scene& scene) {
   return mesh.isParameter("Order") ? mesh.get<int>("Order") : 2;
 }
 
+bool hasPhases(const Parameters& settings) {
+  const Parameters& steps = settings.sublist("Load Steps");
+  for (const char* list : {"Removed", "Placed"})
+    if (steps.isSublist(list) && steps.sublist(list).numParams() > 0) return true;
+  return false;
+}
+
 void refuseOthers(const Scene& scene) {
   Problems problems;
   const auto refuse = [&](bool found, const std::string& why) {
     if (found) problems.add("Accuracy/Error", why);
   };
-  refuse(!scene.steps.empty(),
-         "needs a scene without Load Steps: the state of a path does not go to another mesh. Remove Error, and refine the mesh by hand");
+  refuse(
+      hasPhases(scene.settings()),
+      "needs the same bodies in all load steps, found Load Steps/Removed or Load Steps/Placed: the errors of bodies that do not exist at "
+      "the end are not known. Remove Error, and refine the mesh by hand");
   refuse(isCut(scene), "needs the whole mesh, found Partition/Type = Partitioned Mesh; use the mesh without a partition, and METIS");
   refuse(std::any_of(scene.kinds.begin(), scene.kinds.end(), [](const SubdomainKind& kind) { return kind.name != "Elastic"; }),
          "needs elastic bodies: the error of a body with its own physics (Bodies/<body>/Subdomain) is not known");
@@ -40,14 +49,17 @@ bool hasGeometry(const Scene& scene) {
 
 }  // namespace
 
-void requestAccuracy(Scene& scene, const std::vector<Contact>& contacts, const std::vector<std::string>& conditions) {
+void requestAccuracy(Scene& scene, const std::vector<Contact>& contacts, const std::vector<std::string>& conditions,
+                     const std::vector<std::string>& curved) {
   std::optional<AccuracyRequest> request = AccuracyRequest::of(scene.settings());
   if (!request) return;
   const Scene plain = scene;
   checkQuantity(*request, conditions, scene.entries());
   scene.accuracy = request;
   refuseOthers(scene);
-  scene.meshes = hasGeometry(scene) ? geometryMeshes(plain, orderOf(scene)) : bisectedMeshes(plain, contacts, orderOf(scene));
+  const int order = orderOf(scene);
+  const PolygonSides sides = order == 2 && !request->keepsCurves ? PolygonSides(curved) : PolygonSides();
+  scene.meshes = hasGeometry(scene) ? geometryMeshes(plain, order, sides) : bisectedMeshes(plain, contacts, order, sides);
   scene.mesh = [meshes = scene.meshes](const Comm& comm) { return meshes->start(comm); };
 }
 

@@ -22,7 +22,7 @@ constexpr const char* kAll = "All";
 constexpr int kRounds = 3;                   // pairs of solutions
 constexpr double kNearBest = 2.0;            // a change that differs from the best one by less is kept
 constexpr double kSmaller = 3.0;             // ratio of changes, after one without a strict bound
-constexpr double kMostGrowth = 100.0;        // factor of a change from one round to the next
+constexpr double kLargestChange = 100.0;        // factor of a change from one round to the next
 constexpr double kRoundOffOfEnergy = 1e-12;  // relative to the energies of which an energy is the sum
 constexpr double kRoundOffOfForce = 1e-9;    // relative to the largest force
 constexpr double kSmallForce = 1e-3;         // share of the largest force: the smallest one from which a change is derived
@@ -235,8 +235,8 @@ std::string ForceIntervals::intervalOf(const Amount& amount, double conjugate, I
     found = isFound ? found.common(own) : own;
     isFound = true;
     const double curvature = std::abs(more.middle() + less.middle() - 2 * now.middle()) / (change * change);
-    double best = curvature > 0.0 ? std::sqrt(gap / curvature) : kMostGrowth * change;
-    best = std::clamp(best, change / kMostGrowth, change * kMostGrowth);
+    double best = curvature > 0.0 ? std::sqrt(gap / curvature) : kLargestChange * change;
+    best = std::clamp(best, change / kLargestChange, change * kLargestChange);
     best = std::min(best, most);
     if (best < kNearBest * change && change < kNearBest * best) break;
     change = best;

@@ -1,3 +1,4 @@
+#include <suture/adapt/Chords.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/reader/MeshReader.hpp>
 #include <suture/simulation/GeometryMeshes.hpp>
@@ -13,10 +14,12 @@ namespace {
 
 /// Sizes of the elements of the first mesh over those of the scene's own, in the order in which they are tried.
 constexpr double kCoarser[] = {4.0, 2.0, 1.0};
+/// Squared effects of straight sides over the wanted squared error of a mesh, of which the cheapest is chosen.
+constexpr double kShareOfCurves[] = {0.1, 0.2};
 
 class GeometryMeshes : public MeshSequence {
  public:
-  GeometryMeshes(Scene scene, int order) : scene_(std::move(scene)), order_(order) {}
+  GeometryMeshes(Scene scene, int order, PolygonSides sides) : scene_(std::move(scene)), order_(order), sides_(std::move(sides)) {}
 
   /// The coarsest mesh that fits the scene: on a coarse one bodies may overlap, or contact sides have no pairs.
   Mesh start(const Comm& comm) override {
@@ -30,8 +33,7 @@ class GeometryMeshes : public MeshSequence {
   }
 
   MeshPlan plan(const MeshErrors& errors) override {
-    SizePlan found =
-        errors.isUniform ? uniformSizes(errors.whole, 0.5) : planSizes(errors.whole, errors.squares, errors.facing, errors.wanted);
+    SizePlan found = errors.isUniform ? uniformSizes(errors.whole, 0.5) : cheapest(errors);
     sizes_ = std::make_shared<const SizeField>(std::move(found.field));
     return {found.elements, found.isCapped};
   }
@@ -43,11 +45,26 @@ class GeometryMeshes : public MeshSequence {
     return mesh(comm, changes);
   }
 
+  std::optional<std::vector<ChordSide>> chords(const Mesh& whole) const override { return sides_.of(whole); }
+
   std::string name() const override { return "size field"; }
 
  private:
-  Mesh mesh(const Comm& comm, MeshChanges changes) const {
+  static SizePlan cheapest(const MeshErrors& errors) {
+    if (errors.polygon.sides.empty()) return planSizes(errors.whole, errors.squares, errors.facing, errors.wanted);
+    std::optional<SizePlan> best;
+    for (const double share : kShareOfCurves) {
+      const WantedError rest{(1 - share) * errors.wanted.square, errors.wanted.mostElements};
+      SizePlan plan = planSizes(errors.whole, errors.squares, errors.facing, rest,
+                                sizesAlongCurves(errors.whole, errors.polygon.sides, errors.polygon.squares, share * errors.wanted.square));
+      if (!best || plan.elements < best->elements) best = std::move(plan);
+    }
+    return *std::move(best);
+  }
+
+  Mesh mesh(const Comm& comm, MeshChanges changes) {
     changes.order = order_;
+    changes.mayTangle = sides_.isUsed();
     const Parameters& list = scene_.settings().sublist("Mesh");
     Mesh made = readMesh(comm, list, scene_.file.folder, changes);
     int isSound = changes.simplices || isSimplicial(made);  // decided on rank 0
@@ -56,6 +73,7 @@ class GeometryMeshes : public MeshSequence {
       changes.simplices = true;
       made = readMesh(comm, list, scene_.file.folder, changes);
     }
+    sides_.straighten(comm, made);
     return made;
   }
 
@@ -77,11 +95,14 @@ class GeometryMeshes : public MeshSequence {
 
   const Scene scene_;
   const int order_;
+  PolygonSides sides_;
   std::shared_ptr<const SizeField> sizes_;
 };
 
 }  // namespace
 
-std::shared_ptr<MeshSequence> geometryMeshes(const Scene& scene, int order) { return std::make_shared<GeometryMeshes>(scene, order); }
+std::shared_ptr<MeshSequence> geometryMeshes(const Scene& scene, int order, PolygonSides sides) {
+  return std::make_shared<GeometryMeshes>(scene, order, std::move(sides));
+}
 
 }  // namespace suture

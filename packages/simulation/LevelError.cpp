@@ -18,18 +18,18 @@ LevelError levelError(const Solution& solution) {
   return {estimate.energyNorm, estimate.solutionNorm, false, estimate.ofElements};
 }
 
-std::vector<double> squaresOnRoot(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& ofElements,
-                                  int elements) {
+std::vector<double> valuesOnRoot(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& ofElements,
+                                 int elements) {
   Packer packer;
   std::vector<GlobalId> numbers;
-  std::vector<double> squares;
+  std::vector<double> mine;
   for (std::size_t i = 0; i < meshes.size(); ++i)
     for (int e = 0; e < meshes[i].elements(); ++e) {
       numbers.push_back(meshes[i].globalElements[static_cast<std::size_t>(e)]);
-      squares.push_back(ofElements[i][e] * ofElements[i][e]);
+      mine.push_back(ofElements[i][e]);
     }
   packer.put(numbers);
-  packer.put(squares);
+  packer.put(mine);
   std::vector<double> all(static_cast<std::size_t>(elements), 0.0);
   for (std::string& bytes : gatherOnRoot(comm, packer.bytes())) {
     Unpacker unpacker(std::move(bytes));
@@ -41,7 +41,8 @@ std::vector<double> squaresOnRoot(const Comm& comm, const std::vector<SubdomainM
   return all;
 }
 
-std::vector<FacingNodes> facingNodes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Mesh& whole) {
+std::vector<FacingNodes> facingNodes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Mesh& whole,
+                                     const std::vector<PairResult>& results) {
   std::map<int, ContactPair> pairs;
   for (const SubdomainMesh& mesh : meshes)
     for (const ContactRow& row : mesh.contactRows) pairs.emplace(row.pair.id, row.pair);
@@ -57,6 +58,8 @@ std::vector<FacingNodes> facingNodes(const Comm& comm, const std::vector<Subdoma
     const auto found = under.find(node);
     return found == under.end() ? node : found->second;
   };
+  std::map<int, double> slides;
+  for (const PairResult& result : results) slides[result.id] = norm(result.slip);
   pairs.clear();
   for (std::string& bytes : gathered)
     for (const ContactPair& pair : Unpacker(std::move(bytes)).get<std::vector<ContactPair>>()) pairs.emplace(pair.id, pair);
@@ -64,7 +67,7 @@ std::vector<FacingNodes> facingNodes(const Comm& comm, const std::vector<Subdoma
     for (std::size_t k = 1; k < pair.ends.size(); ++k) {
       const int a = inner(pair.ends.front().node), b = inner(pair.ends[k].node);
       const Point jump = minus(whole.point(b), whole.point(a));
-      all.push_back({a, b, norm(minus(jump, scaled(dot(jump, pair.normal), pair.normal)))});
+      all.push_back({a, b, norm(minus(jump, scaled(dot(jump, pair.normal), pair.normal))), slides[id]});
     }
   return all;
 }

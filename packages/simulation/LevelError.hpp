@@ -19,11 +19,14 @@ struct LevelError {
 /// The error by which meshes are refined. Local, total and norm the same on all ranks. \throws InternalError  the solution has none
 LevelError levelError(const Solution& solution);
 
-/// Squares of the errors of all elements on rank 0, by their numbers in the mesh. Collective. \param elements  of the whole mesh, on rank 0
-std::vector<double> squaresOnRoot(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& ofElements,
-                                  int elements);
+/// Values of all elements on rank 0, by their numbers in the mesh. Collective. \param ofElements  of each mesh of this rank
+/// \param elements  of the whole mesh, on rank 0
+std::vector<double> valuesOnRoot(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& ofElements,
+                                 int elements);
 
 /// Nodes of the mesh that face each other on contacts, on rank 0. Collective. \param whole  the mesh, on rank 0
-std::vector<FacingNodes> facingNodes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Mesh& whole);
+/// \param results  of all pairs, on rank 0
+std::vector<FacingNodes> facingNodes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Mesh& whole,
+                                     const std::vector<PairResult>& results);
 
 }  // namespace suture

@@ -30,6 +30,35 @@ ContactScales scalesOf(const ElasticModel& model, const Parameters& settings) {
   return {compliance, unitsOf(settings).length};
 }
 
+/// Groups of contacts and of supports along which bodies slide.
+std::vector<std::string> curvedGroups(const Parameters& settings) {
+  std::vector<std::string> all;
+  const auto add = [&](const Parameters& list, const char* parameter) {
+    for (const std::string& name : groupNames(list, parameter)) all.push_back(name);
+  };
+  const Parameters &contacts = settings.sublist("Contact"), &conditions = settings.sublist("Boundary Conditions");
+  for (const std::string& name : sublistNames(contacts))
+    for (const char* side : {"Side A", "Side B"}) add(contacts.sublist(name), side);
+  for (const std::string& name : sublistNames(conditions)) {
+    const Parameters& condition = conditions.sublist(name);
+    const bool isAlong = condition.isParameter("Direction") || condition.isParameter("Along");
+    if (condition.get<std::string>("Type") == "Bilateral" || isAlong) add(condition, "Group");
+  }
+  return all;
+}
+
+std::vector<std::string> curvedGroups(const std::vector<Condition>& conditions, const std::vector<Contact>& contacts) {
+  std::vector<std::string> all;
+  for (const Contact& contact : contacts) {
+    all.insert(all.end(), contact.groupsA.begin(), contact.groupsA.end());
+    all.insert(all.end(), contact.groupsB.begin(), contact.groupsB.end());
+  }
+  for (const Condition& condition : conditions)
+    if (condition.type == Condition::Type::Bilateral || condition.direction)
+      all.insert(all.end(), condition.groups.begin(), condition.groups.end());
+  return all;
+}
+
 /// Name of a load or an elastic support, or its index if unnamed. \param kind  of list, for the latter
 template <typename Entry>
 std::string nameOf(const Entry& entry, std::size_t place) {
@@ -162,7 +191,7 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings()), steps = scene.steps](const Mesh& whole) {
     return buildConstraints(whole, all, contacts, scales, steps);
   };
-  requestAccuracy(scene, contacts, supportsAmong(named));
+  requestAccuracy(scene, contacts, supportsAmong(named), curvedGroups(all, contacts));
   return scene;
 }
 
@@ -189,7 +218,7 @@ Scene sceneOf(const SceneFile& file) {
     scene.levels.push_back(sceneOf(level));
     scene.levels.back().isOneStep = true;
   }
-  requestAccuracy(scene, facingContacts(all->sublist("Contact")), supportsAmong(named));
+  requestAccuracy(scene, facingContacts(all->sublist("Contact")), supportsAmong(named), curvedGroups(*all));
   return scene;
 }
 

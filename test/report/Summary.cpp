@@ -130,6 +130,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   Run run = sample.run();
   AccuracyReached accuracy;
   accuracy.levels.resize(1);
+  accuracy.levels.front().geometry = accuracy.geometry = 0.1;
   accuracy.uniform.emplace();
   run.accuracy = accuracy;
   run.invocation.plugins = {{"/some/plugin.so", "0123456789abcdef"}};

@@ -86,7 +86,7 @@ Mesh finish(const GmshInput& input, const MesherOrder& order, const std::vector<
   GmshMesh made = cachedMesh(input, order, files);
   if (descriptions) *descriptions = made.descriptions;
   Mesh mesh = assembleGmsh(std::move(made), input.path);
-  straighten(mesh);
+  if (!input.mayTangle) straighten(mesh);
   checkLargest(mesh, input);
   numberAlongHilbertCurve(mesh);
   return mesh;

@@ -21,6 +21,7 @@ struct GmshInput {
   std::string unit = "mm";                   ///< unit of length of the mesh: "mm", "m", "in", ... (CAD with units only)
   std::shared_ptr<const SizeField> sizes{};  ///< see MesherOrder::sizes
   bool simplices = false;                    ///< see MesherOrder::simplices
+  bool mayTangle = false;                    ///< curved sides remain where they turn elements inside out, for callers who straighten them
 };
 
 /// Reads a .msh file (readMsh(), without Gmsh), or meshes a .geo or CAD file (cadFormat()) through libgmsh in a separate process
