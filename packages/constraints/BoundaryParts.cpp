@@ -51,9 +51,13 @@ BoundaryParts boundaryParts(const Mesh& mesh, const std::vector<Condition>& cond
     if (condition.holds() && !condition.groups.empty()) parts.held.push_back(heldSides(mesh, condition));
   }
   for (const ContactSurface& contact : contacts) {
-    const bool isGiven = contact.initialGap.has_value();
-    parts.touching.push_back({contact.name, contact.number, contact.groupsA, contact.groupsB, contact.overclosure.has_value(),
-                              isGiven && !isPolynomialOn(mesh, contact.groupsA, {*contact.initialGap})});
+    TouchingSides& own = parts.touching.emplace_back();
+    own = {contact.name, contact.number, contact.groupsA, contact.groupsB, contact.overclosure.has_value()};
+    if (!contact.initialGap) continue;
+    own.isInterpolated = !isPolynomialOn(mesh, contact.groupsA, {*contact.initialGap});
+    if (own.isInterpolated) continue;
+    for (const Side& side : sidesOf(mesh.sideGroups, contact.groupsA))
+      for (const int node : mesh.nodesOf(side)) own.gaps[node] = contact.initialGap->at(mesh.point(node));
   }
   return parts;
 }

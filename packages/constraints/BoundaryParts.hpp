@@ -2,6 +2,7 @@
 #include <suture/base/Types.hpp>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,10 +30,13 @@ struct TouchingSides {
   std::vector<std::string> groupsA, groupsB;  ///< the second empty: a rigid obstacle
   bool isSoft = false;
   bool isInterpolated = false;  ///< the gap is not a polynomial of the sides' order
+  std::map<GlobalId, double>
+      gaps{};  ///< initial gaps at the nodes of side A if the scene gives them and they are such a polynomial [length]
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.contact), each(self.line), each(self.groupsA), each(self.groupsB), each(self.isSoft), each(self.isInterpolated);
+    each(self.gaps);
   }
 };
 

@@ -54,7 +54,7 @@ struct AccuracyReached {
   std::string quantity;              ///< AccuracyRequest::name(); "Energy" for the energy norm
   double reached = 0.0;              ///< relative error of the quantity
   bool strict = false;               ///< `reached` is a bound, otherwise an estimate
-  std::optional<double> geometry{};  ///< of the energy norm: AccuracyLevel::geometry
+  std::optional<double> geometry{};  ///< only for the energy norm: AccuracyLevel::geometry
   std::string limit;  ///< limit that ended the search: "unknowns", "memory", "time", "levels", "mesh", "solution", "quantity"; empty: the
                       ///< request is met
   std::string why{};  ///< with the limit "quantity": why the quantity has no relative error

@@ -99,7 +99,8 @@ std::string ContactNodes::addPlaces(const std::vector<Pair>& pairs, bool ignores
         if (norm(minus(apart, scaled(dot(apart, normal), normal))) > near) continue;
         node.b = candidate->second;
         const Point jump = minus(side->moved[j], *movedOfB.at(node.b));
-        node.gap = (ignoresDistance ? 0.0 : widened + dot(apart, normal)) - dot(jump, normal);
+        const double drawn = givenGaps_.empty() ? dot(apart, normal) : givenGaps_.at(node.a);
+        node.gap = (ignoresDistance ? 0.0 : widened + drawn) - dot(jump, normal);
         node.slip = minus(jump, scaled(dot(jump, normal), normal));
       }
       if (node.b < 0) continue;  // faces nothing
@@ -129,7 +130,10 @@ bool ContactNodes::findWidening(const std::vector<Pair>& pairs, double& widened)
       isKnown = isKnown && (onA == placeOfA.end()) != (onB == placeOfB.end());
       if (!isKnown) break;
       if (onA != placeOfA.end()) weightOfA += end.weight;
-      between -= end.weight * dot(pair.pair.normal, onA != placeOfA.end() ? onA->second : onB->second);
+      if (givenGaps_.empty())
+        between -= end.weight * dot(pair.pair.normal, onA != placeOfA.end() ? onA->second : onB->second);
+      else if (onA != placeOfA.end())
+        between += end.weight * givenGaps_.at(end.node);
     }
     if (!isKnown || std::abs(weightOfA) < kLeastWeight) continue;
     const double own = (pair.result.initialGap - between) / weightOfA;

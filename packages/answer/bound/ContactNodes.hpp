@@ -17,8 +17,8 @@ struct TouchingSide {
   std::array<Point, 6> places{}, moved{};                   // and displacements
   Point normal{0, 0, 0};
   double size = 0.0;
-  double young = 0.0;      // of the element behind it, in its stiffest direction [stress]
-  double stiffness = 0.0;  // of the springs of a softened contact [stress / length]
+  double young = 0.0;      // modulus of the element behind it, in its stiffest direction [stress]
+  double stiffness = 0.0;  // springs of a softened contact [stress / length]
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
@@ -68,8 +68,9 @@ class ContactNodes {
     Point tangential{0, 0, 0};
     double bound = 0.0;  ///< given largest tangential force
   };
-  /// \param a, b  sides of the contact; must outlive this object
-  ContactNodes(int sideNodes, const Sides& a, const Sides& b) : sideNodes_(sideNodes), a_(a), b_(b) {}
+  /// \param a, b  sides of the contact \param givenGaps  TouchingSides::gaps; all must outlive this object
+  ContactNodes(int sideNodes, const Sides& a, const Sides& b, const std::map<GlobalId, double>& givenGaps)
+      : sideNodes_(sideNodes), a_(a), b_(b), givenGaps_(givenGaps) {}
 
   /// Nodes of pairs of one node on each side.
   void addPairs(const std::vector<Pair>& pairs);
@@ -83,11 +84,13 @@ class ContactNodes {
 
  private:
   void add(const ContactNode& node);
-  /// By how much the initial gap of mortar pairs is larger than the distance of the sides, as with a prescribed gap. False: it varies.
+  /// By how much the initial gap of mortar pairs is larger than the given one, or than the distance of the sides, as where ForceIntervals
+  /// changes it. False: it varies.
   bool findWidening(const std::vector<Pair>& pairs, double& widened) const;
 
   int sideNodes_;
   const Sides &a_, &b_;
+  const std::map<GlobalId, double>& givenGaps_;
   std::vector<ContactNode> nodes_;
   std::map<GlobalId, int> indexOf_;
 };

@@ -89,7 +89,7 @@ class OneContact {
     }
     if (contact_.isInterpolated && separates_) return "its gap varies between the nodes";
     if (!isSimple_ && contact_.groupsB.empty()) return "conditions on an obstacle involve several nodes";
-    ContactNodes nodes(sideNodes(), a_, b_);
+    ContactNodes nodes(sideNodes(), a_, b_, contact_.gaps);
     if (isSimple_)
       nodes.addPairs(pairs_);
     else if (const std::string mismatch = nodes.addPlaces(pairs_, !separates_ && restrictsSliding_); !mismatch.empty())
