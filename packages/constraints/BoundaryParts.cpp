@@ -45,7 +45,6 @@ BoundaryParts boundaryParts(const Mesh& mesh, const std::vector<Condition>& cond
     to.insert(to.end(), groups.begin(), groups.end());
   };
   for (const Condition& condition : conditions) {
-    if (condition.type == Type::ElasticSupport) append(parts.onSprings, condition.groups);
     if (condition.type == Type::RigidGroup) append(parts.rigid, condition.groups);
     if (condition.type == Type::MeanDisplacement) append(parts.onMean, condition.groups);
     if (condition.holds() && !condition.groups.empty()) parts.held.push_back(heldSides(mesh, condition));

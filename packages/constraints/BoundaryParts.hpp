@@ -44,14 +44,13 @@ struct TouchingSides {
 struct BoundaryParts {
   std::vector<HeldSides> held;
   std::vector<TouchingSides> touching;
-  std::vector<std::string> onSprings;  ///< groups with elastic supports
-  std::vector<std::string> rigid;      ///< groups that move as rigid bodies
-  std::vector<std::string> onMean;     ///< groups whose mean displacement is prescribed
-  bool isKnown = false;                ///< false: a mesh that was partitioned by another program run
+  std::vector<std::string> rigid;   ///< groups that move as rigid bodies
+  std::vector<std::string> onMean;  ///< groups whose mean displacement is prescribed
+  bool isKnown = false;             ///< false: a mesh that was partitioned by another program run
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.held), each(self.touching), each(self.onSprings), each(self.rigid), each(self.onMean), each(self.isKnown);
+    each(self.held), each(self.touching), each(self.rigid), each(self.onMean), each(self.isKnown);
   }
 };
 

@@ -22,7 +22,7 @@ constexpr const char* kAll = "All";
 constexpr int kRounds = 3;                   // pairs of solutions
 constexpr double kNearBest = 2.0;            // a change that differs from the best one by less is kept
 constexpr double kSmaller = 3.0;             // ratio of changes, after one without a strict bound
-constexpr double kLargestChange = 100.0;        // factor of a change from one round to the next
+constexpr double kLargestChange = 100.0;     // factor of a change from one round to the next
 constexpr double kRoundOffOfEnergy = 1e-12;  // relative to the energies of which an energy is the sum
 constexpr double kRoundOffOfForce = 1e-9;    // relative to the largest force
 constexpr double kSmallForce = 1e-3;         // share of the largest force: the smallest one from which a change is derived
@@ -268,15 +268,17 @@ std::string ForceIntervals::energiesAt(const Amount& amount, double by, Interval
     if (!solution.converged) return "a solution with a changed amount was not found: " + solution.failure;
     solution.energy -= liftWork;
     const ErrorBound bound = timed(timers, "bound", [&] {
-      return errorBound(comm, {parts_.cut.meshes,
-                               parts_.scene.model,
-                               solution.displacement,
-                               solution.balancing,
-                               solution.pairs,
-                               parts_.cut.whole.parts,
-                               solution.energy,
-                               {},
-                               solution.notBalanced});
+      return errorBound(comm,
+                        {parts_.cut.meshes,
+                         parts_.scene.model,
+                         solution.displacement,
+                         solution.balancing,
+                         solution.pairs,
+                         parts_.cut.whole.parts,
+                         solution.energy,
+                         {},
+                         solution.notBalanced},
+                        parts_.scene.laws);
     });
     if (!bound.strict) return "the error of a solution with a changed amount has no strict bound: " + bound.reasons.front();
     energies = energiesOf(bound);

@@ -4,9 +4,11 @@
 #include <suture/simulation/GeometryMeshes.hpp>
 #include <suture/simulation/ReadStage.hpp>
 
+#include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suture {
 
@@ -16,6 +18,11 @@ namespace {
 constexpr double kCoarser[] = {4.0, 2.0, 1.0};
 /// Squared effects of straight sides over the wanted squared error of a mesh, of which the cheapest is chosen.
 constexpr double kShareOfCurves[] = {0.1, 0.2};
+
+// Elements over their largest number up to which a mesh is accepted, and times that it is made again with larger elements otherwise: the
+// mesher makes about 1.5 times as many elements as a graded size field predicts.
+constexpr double kOverCap = 1.1;
+constexpr int kMadeAgain = 3;
 
 class GeometryMeshes : public MeshSequence {
  public:
@@ -35,14 +42,21 @@ class GeometryMeshes : public MeshSequence {
   MeshPlan plan(const MeshErrors& errors) override {
     SizePlan found = errors.isUniform ? uniformSizes(errors.whole, 0.5) : cheapest(errors);
     sizes_ = std::make_shared<const SizeField>(std::move(found.field));
+    mostElements_ = errors.wanted.mostElements;
     return {found.elements, found.isCapped};
   }
 
   Mesh next(const Comm& comm) override {
     MeshChanges changes;
-    changes.sizes = sizes_;
     changes.simplices = true;
-    return mesh(comm, changes);
+    for (int again = 0;; ++again) {
+      changes.sizes = sizes_;
+      Mesh made = mesh(comm, changes);
+      double over = made.elements() / mostElements_;  // meaningful on rank 0
+      broadcastBytes(comm, &over, sizeof over);
+      if (over <= kOverCap || again == kMadeAgain) return made;
+      if (comm.getRank() == 0) enlarge(std::pow(over, 1.0 / made.dimension));
+    }
   }
 
   std::optional<std::vector<ChordSide>> chords(const Mesh& whole) const override { return sides_.of(whole); }
@@ -50,6 +64,12 @@ class GeometryMeshes : public MeshSequence {
   std::string name() const override { return "size field"; }
 
  private:
+  void enlarge(double factor) {
+    SizeField larger = *sizes_;
+    for (double& size : larger.sizes) size *= factor;
+    sizes_ = std::make_shared<const SizeField>(std::move(larger));
+  }
+
   static SizePlan cheapest(const MeshErrors& errors) {
     if (errors.polygon.sides.empty()) return planSizes(errors.whole, errors.squares, errors.facing, errors.wanted);
     std::optional<SizePlan> best;
@@ -97,6 +117,7 @@ class GeometryMeshes : public MeshSequence {
   const int order_;
   PolygonSides sides_;
   std::shared_ptr<const SizeField> sizes_;
+  double mostElements_ = 0.0;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <suture/answer/bound/BoundWithLaws.hpp>
+#include <suture/answer/bound/ErrorBound.hpp>
 #include <suture/answer/error/AveragedEstimate.hpp>
 #include <suture/answer/error/ExactErrors.hpp>
 #include <suture/answer/solvability/NeutralMotions.hpp>

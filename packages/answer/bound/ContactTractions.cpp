@@ -429,14 +429,14 @@ std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& sol
 }
 
 /// The tractions of all contacts, on rank 0. \param kind  dimension and degree
-void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws, std::array<int, 2> kind,
+void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws, std::array<int, 2> kind,
              const std::vector<TouchingSide>& sides, const std::vector<TouchingPair>& pairs, const std::vector<BalancedForce>& forces,
              ContactTractions& result, std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
   std::vector<OneContact> all;
   std::map<int, std::size_t> ofLine;
   for (std::size_t i = 0; i < contacts.touching.size(); ++i) {
     const int line = contacts.touching[i].line;
-    all.emplace_back(contacts.touching[i], kind[0], kind[1], laws ? &laws->of(line) : nullptr);
+    all.emplace_back(contacts.touching[i], kind[0], kind[1], &laws.of(line));
     ofLine[line] = i;
   }
   for (const TouchingSide& side : sides) all[side.contact].add(side);
@@ -471,7 +471,7 @@ void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, con
 }
 
 /// The same on all ranks. Collective. \param reasons  on rank 0
-ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws,
+ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws,
                                  std::array<int, 2> kind, const std::vector<TouchingSide>& sidesHere, std::vector<SideTraction>& tractions,
                                  std::set<std::string>& reasons) {
   ContactTractions result;
@@ -519,7 +519,7 @@ ContactTractions agreedTractions(const Comm& comm, const BoundedSolution& soluti
 }  // namespace
 
 template <int D>
-ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws,
+ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws,
                                   BoundParts<D>& parts) {
   if (contacts.touching.empty()) return {};
   std::vector<SideTraction> tractions;
@@ -538,7 +538,7 @@ ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solut
   return result;
 }
 
-template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, const ContactLaws*, BoundParts<2>&);
-template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, const ContactLaws*, BoundParts<3>&);
+template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, const ContactLaws&, BoundParts<2>&);
+template ContactTractions contactTractions(const Comm&, const BoundedSolution&, const BoundaryParts&, const ContactLaws&, BoundParts<3>&);
 
 }  // namespace suture

@@ -32,9 +32,9 @@ struct ContactTractions {
 /// the pairs (admissiblePressures), and friction stresses within their bounds (frictionTractions); where sides do not separate, stresses
 /// of any sign. Contacts for which that is not possible (mortar, curved or distant sides) get unknown tractions, as if the displacements of
 /// their sides were prescribed, and `reasons` of rank 0 names them. Collective.
-/// \param contacts  the same on all ranks \param laws  of the contacts; null: friction counts as dependent on the solution
+/// \param contacts  the same on all ranks \param laws  of the contacts
 template <int D>
-ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws,
+ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws,
                                   BoundParts<D>& parts);
 
 }  // namespace suture

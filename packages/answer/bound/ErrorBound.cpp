@@ -1,5 +1,4 @@
 #include <suture/answer/bound/AirySweeps.hpp>
-#include <suture/answer/bound/BoundWithLaws.hpp>
 #include <suture/answer/bound/ContactTractions.hpp>
 #include <suture/answer/bound/EquilibratedTractions.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
@@ -69,7 +68,7 @@ Vector improved(const Mesh& mesh, const Matrix& tractions, int sweeps, double& i
 }
 
 template <int D>
-ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws* laws, int degree,
+ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws, int degree,
                    int sweeps) {
   BoundParts<D> parts;
   collectively(comm, "bounding the error", [&] {
@@ -123,8 +122,9 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   return bound;
 }
 
-/// \param laws  null: unknown
-ErrorBound boundWith(const Comm& comm, const BoundedSolution& solution, const ContactLaws* laws, int sweeps) {
+}  // namespace
+
+ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, const ContactLaws& laws, int sweeps) {
   const int dimension = agreedDimensionOf(comm, solution.meshes);
   const BoundaryParts parts = broadcastParts(comm, solution.parts);
   if (!parts.isKnown) return notAvailable("the mesh was partitioned by suture_partition");
@@ -135,14 +135,6 @@ ErrorBound boundWith(const Comm& comm, const BoundedSolution& solution, const Co
   if (all[0] != 0) return notAvailable("the mesh has cells other than triangles and tetrahedra");
   if (-all[1] != all[2]) return notAvailable("the mesh has elements of both orders");
   return dimension == 3 ? boundOf<3>(comm, solution, parts, laws, all[2], sweeps) : boundOf<2>(comm, solution, parts, laws, all[2], sweeps);
-}
-
-}  // namespace
-
-ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int sweeps) { return boundWith(comm, solution, nullptr, sweeps); }
-
-ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, const ContactLaws& laws, int sweeps) {
-  return boundWith(comm, solution, &laws, sweeps);
 }
 
 }  // namespace suture

@@ -50,8 +50,16 @@ struct BoundedSolution {
 /// The first norm is that of the complementary energy. Penetration enters with the exact pressure q and stress sigma: the integral of
 /// (q - p) (jump of w) is at most |sigma - tau| |w|, and |sigma - tau|^2 - 2 |sigma - tau| |w| >= -|w|^2. Tractions between elements follow
 /// from the nodal forces of the elements, vertex by vertex (Ladeveze and Leguillon, SIAM J. Num. Anal. 20, 1983); stresses in the elements
-/// are those of StressElement; conjugate gradients over the stars of the vertices improve them. Collective.
-/// \param sweeps  least number of these iterations
-ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, int sweeps = 2);
+/// are those of StressElement; conjugate gradients over the stars of the vertices improve them.
+///
+/// With friction, s the slip of u_h in the load step, t the friction stress in tau, and g its bound, |t| <= g,
+///     2 integral of (g |s| - t . s)
+/// is added, and u minimises its potential energy plus the integral of g |s|: with Tresca friction of a constant bound on sides that all
+/// touch, the solution of the scene; otherwise that for given g, and the bound is an estimate. On elastic supports of stiffness k, and
+/// springs of softened contacts, the integral of |traction of tau + k u_h|^2 / k is added, and energies include theirs.
+///
+/// Collective. \param laws  of the contacts, from which constant bounds of Tresca friction follow
+/// \param sweeps  least number of iterations
+ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, const ContactLaws& laws, int sweeps = 2);
 
 }  // namespace suture
