@@ -81,10 +81,13 @@ check("the true error with the circle", (2 * abs(tunnel["energy"] - fine["energy
 
 # Boxes of quadrilaterals, without a geometry: triangles of second order, bisected. The pressure is unbounded at the ends of
 # the contact.
+# On another number of ranks an automatic tolerance gives a solution that differs within a tenth of the error of the mesh, and with it a
+# mesh that differs by some elements.
+EXACTLY = setting("Outer Solver/Tolerance", "1e-8")
 BOXES = pathlib.Path(__file__).parent / "punch_of_boxes.xml"
 first = None
 for ranks in (1, 2, 4):
-    code, text, summary = solve(f"boxes_{ranks}", BOXES, *error(0.01), ranks=ranks)
+    code, text, summary = solve(f"boxes_{ranks}", BOXES, *error(0.01), *EXACTLY, ranks=ranks)
     accuracy = summary["accuracy"]
     check("boxes: the error is reached", (code, accuracy["limit"], accuracy["reached"] <= 0.01), (0, "", True))
     check("boxes: bisection", {level["refinement"] for level in accuracy["levels"][1:]} <= {"bisection", "uniform"}, True)
@@ -131,7 +134,7 @@ check("fault: the history of a finer mesh", coarse["dissipated_work"] / fine["di
 BRICKS = pathlib.Path(__file__).parent / "punch_of_bricks.xml"
 first = None
 for ranks in (1, 2, 4):
-    code, text, summary = solve(f"bricks_{ranks}", BRICKS, *error(0.12), ranks=ranks)
+    code, text, summary = solve(f"bricks_{ranks}", BRICKS, *error(0.12), *EXACTLY, ranks=ranks)
     accuracy = summary["accuracy"]
     check("bricks: a bound", (code, accuracy["limit"], accuracy["strict"], accuracy["reached"] <= 0.12), (0, "", True, True))
     check("bricks: bisection", [level["refinement"] for level in accuracy["levels"][1:]], lambda names: names and set(names) == {"bisection"})

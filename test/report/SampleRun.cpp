@@ -59,7 +59,7 @@ void SampleRun::makeScene() {
   scene_.parameters->set<std::string>("Title", "Two \"blocks\"");
   scene_.parameters->set<std::string>("Units", "m, N, Pa");
   Teuchos::ParameterList& solver = scene_.parameters->sublist("Outer Solver");
-  solver.set("Tolerance", 1e-8);
+  solver.set<std::string>("Tolerance", "1e-8");
   solver.set("Maximum Iterations", 50);
   solver.set<std::string>("Type", "Active Set");
   solver.set("Values", Teuchos::Array<double>(2, -0.5));

@@ -122,6 +122,12 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   ErrorBars bars;
   for (const char* quantity : {"von_mises", "tension", "compression", "pressure"}) bars.singular[quantity] = "a reason";
   sample.solution_.errorBars = bars;
+  sample.model_.loads.push_back(Load::bodyForce({0, -1, 0}));
+  sample.model_.loads.back().name = "weight";
+  ForceInterval held{"floor, below"}, touching{"joint", true}, loaded{"weight"};
+  held.reason = touching.reason = "a reason";
+  loaded.displacement = 0.1;
+  sample.solution_.intervals = {held, touching, loaded};
   sample.solution_.since.assign(sample.solution_.displacement.size(), Vector());
   sample.solution_.extremes.displacementSince = sample.solution_.extremes.displacement;
   if (!sample.solution_.pairs.empty()) sample.solution_.pairs.front().bodies = {1, 0};  // the contact joins two pairs of bodies
@@ -130,7 +136,8 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   Run run = sample.run();
   AccuracyReached accuracy;
   accuracy.levels.resize(1);
-  accuracy.levels.front().geometry = accuracy.geometry = 0.1;
+  AccuracyLevel& level = accuracy.levels.front();
+  level.geometry = accuracy.geometry = level.estimate = level.value = level.energyError = 0.1;
   accuracy.uniform.emplace();
   run.accuracy = accuracy;
   run.invocation.plugins = {{"/some/plugin.so", "0123456789abcdef"}};
@@ -312,7 +319,7 @@ TEUCHOS_UNIT_TEST(Summary, NestsTheResolvedParameters) {
   writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   const json parameters = readJson(sample.folder_ + "/summary.json")["parameters"];
   TEST_EQUALITY(parameters["Title"].get<std::string>(), "Two \"blocks\"");
-  TEST_EQUALITY(parameters["Outer Solver"]["Tolerance"].get<double>(), 1e-8);
+  TEST_EQUALITY(parameters["Outer Solver"]["Tolerance"].get<std::string>(), "1e-8");
   TEST_EQUALITY(parameters["Outer Solver"]["Maximum Iterations"].get<int>(), 50);
   TEST_EQUALITY(parameters["Outer Solver"]["Values"][1].get<double>(), -0.5);
   TEST_EQUALITY(parameters["Partition"]["METIS"]["Seed"].get<int>(), 7);
