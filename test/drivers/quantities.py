@@ -38,8 +38,9 @@ for name, words, exact, said in (("contact", wanted(0.002, "Contact Force", Cont
                                  ("reaction", wanted(0.002, "Reaction", Condition="ground"), force, "the reaction of 'ground'"),
                                  ("mean", wanted(0.002, "Mean Displacement", **MEAN), mean, "the mean displacement of 'under_top'")):
     first = None
+    exactly = setting("Outer Solver/Tolerance", "1e-8") if name == "contact" else []  # meshes of other ranks differ with Automatic
     for ranks in (1, 2, 4) if name == "contact" else (1,):
-        code, text, summary = solve(f"{name}_{ranks}", PUNCH, *words, ranks=ranks)
+        code, text, summary = solve(f"{name}_{ranks}", PUNCH, *words, *exactly, ranks=ranks)
         accuracy = summary["accuracy"]
         check(f"{name}: reached", (code, accuracy["limit"], accuracy["reached"] <= 0.002), (0, "", True))
         check(f"{name}: an estimate", (accuracy["strict"], accuracy["quantity"], said in text), (False, said, True))
