@@ -1,13 +1,8 @@
-#include <suture/answer/bound/ContactNodes.hpp>
-#include <suture/answer/bound/ContactPressures.hpp>
+#include <suture/answer/bound/AdmissibleContact.hpp>
+#include <suture/answer/bound/ContactSides.hpp>
 #include <suture/answer/bound/ContactTractions.hpp>
-#include <suture/answer/bound/FrictionTractions.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
-#include <suture/base/Point.hpp>
-#include <suture/mesh/SideGeometry.hpp>
-#include <suture/mesh/SideInterpolation.hpp>
-#include <suture/pairs/PairFrame.hpp>
 
 #include <Teuchos_Comm.hpp>
 
@@ -23,9 +18,6 @@ namespace suture {
 
 namespace {
 
-// Differences of the normals of a side's nodes, and of relative friction bounds, that are round-off.
-constexpr double kSameNormal = 1e-8;
-
 /// Forces of a pair in the balanced field.
 struct BalancedForce {
   int id = -1;
@@ -38,405 +30,15 @@ struct BalancedForce {
   }
 };
 
-/// Traction on a side, as sent from rank 0.
-struct SideTraction {
-  int rank = -1, number = -1;
-  int isUnknown = 0;
-  std::array<Point, 6> values{};
-
-  template <typename Self, typename Each>
-  static void forEachField(Self& self, const Each& each) {
-    each(self.rank), each(self.number), each(self.isUnknown), each(self.values);
-  }
-};
-
-/// The tractions of one contact, on rank 0.
-class OneContact {
- public:
-  /// \param law  null: its friction depends on more than a constant
-  OneContact(const TouchingSides& contact, int dimension, int degree, const ContactLaw* law)
-      : contact_(contact), dimension_(dimension), degree_(degree), law_(law) {}
-
-  void add(const TouchingSide& side) { (side.onA ? a_ : b_).push_back(&side); }
-  void add(const ContactNodes::Pair& own) {
-    separates_ = separates_ && own.pair.separates;
-    restrictsSliding_ = restrictsSliding_ || own.pair.restrictsSliding;
-    isSimple_ = isSimple_ && own.pair.isSimple;
-    pairs_.push_back(own);
-  }
-
-  void find(ContactTractions& all, std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
-    const std::string problem = findTractions(all, tractions);
-    if (problem.empty()) return;
-    reasons.insert("contact '" + contact_.contact + "': " + problem);
-    for (const auto* list : {&a_, &b_})
-      for (const TouchingSide* side : *list) tractions.push_back({side->rank, side->number, 1});
-  }
-
- private:
-  using Sides = ContactNodes::Sides;
-  int sideNodes() const { return degree_ == 1 ? dimension_ : dimension_ * (dimension_ + 1) / 2; }
-
-  /// Returns the reason if there are none.
-  std::string findTractions(ContactTractions& all, std::vector<SideTraction>& tractions) {
-    if (contact_.isSoft) {
-      if (restrictsSliding_ || !separates_) return "it is softened and not frictionless";
-      if (!isSimple_) return "it is softened and its sides are coupled by mortar";
-      // Its pairs press outer nodes of the springs.
-      for (const TouchingSide* side : a_) stiffness_ = std::max(stiffness_, side->stiffness);
-      if (!(stiffness_ > 0.0)) return "its springs are not known";
-      for (ContactNodes::Pair& own : pairs_) own.pair.a = own.result.node;
-    }
-    if (contact_.isInterpolated && separates_) return "its gap varies between the nodes";
-    if (!isSimple_ && contact_.groupsB.empty()) return "conditions on an obstacle involve several nodes";
-    ContactNodes nodes(sideNodes(), a_, b_, contact_.gaps);
-    if (isSimple_)
-      nodes.addPairs(pairs_);
-    else if (const std::string mismatch = nodes.addPlaces(pairs_, !separates_ && restrictsSliding_); !mismatch.empty())
-      return mismatch;
-    Sides pressed, others;
-    PressedSides sides;
-    const std::string problem = collect(nodes, sides, pressed, others);
-    if (!problem.empty()) return problem;
-    sides.mayPull = !separates_;
-    const Pressures pressures = admissiblePressures(sides);
-    if (!pressures.feasible) return "its nodal forces are not those of any pressure";
-    const FrictionTractions friction = tangentialStresses(nodes, sides);
-    if (!friction.feasible) return "its nodal forces are not those of any friction stress";
-    addTractions(nodes, pressed, others, pressures.values, friction.values, tractions);
-    if (separates_) {
-      addGap(nodes, sides, pressures, all);
-      if (restrictsSliding_) addFriction(nodes, sides, friction, all);
-    } else {
-      close(nodes, all);
-    }
-    std::vector<Point> rests;
-    for (std::size_t i = 0; i < nodes.all().size(); ++i) rests.push_back(scaled(pressures.rest[i], nodes.all()[i].normal));
-    addRests(nodes, pressures.clusters, rests, all);
-    for (std::size_t i = 0; i < rests.size(); ++i) rests[i] = along(nodes.all()[i].normal, friction.rest[i]);
-    addRests(nodes, friction.clusters, rests, all);
-    return "";
-  }
-
-  /// Vector with these components along the tangents of a normal.
-  Point along(const Point& normal, const std::array<double, 2>& components) const {
-    const std::vector<Point> frame = pairFrame(normal, dimension_);
-    Point sum{0, 0, 0};
-    for (int k = 1; k < dimension_; ++k) sum = plus(sum, scaled(components[std::size_t(k - 1)], frame[std::size_t(k)]));
-    return sum;
-  }
-  std::array<double, 2> tangentialPart(const ContactNode& node, const Point& vector) const {
-    const std::vector<Point> frame = pairFrame(node.normal, dimension_);
-    return {dot(vector, frame[1]), dimension_ == 3 ? dot(vector, frame[2]) : 0.0};
-  }
-
-  /// Stresses of friction, or of any size where the sides are tied.
-  FrictionTractions tangentialStresses(const ContactNodes& nodes, const PressedSides& sides) const {
-    FrictionForces forces;
-    for (const ContactNode& node : nodes.all()) {
-      forces.tangential.push_back(tangentialPart(node, node.tangential));
-      forces.bounds.push_back(std::max(node.bound, norm(node.tangential)));
-      forces.slips.push_back(char(node.slips));
-    }
-    if (restrictsSliding_ && separates_) {
-      if (const std::optional<double> bound = constantBound(nodes, sides)) forces.given = *bound;
-      return frictionTractions(sides, forces);
-    }
-    FrictionTractions result;
-    result.feasible = true;
-    result.rest.assign(sides.places.size(), {0.0, 0.0});
-    for (int k = 0; k < 2; ++k) {
-      PressedSides own = sides;
-      own.mayPull = true;
-      for (std::size_t i = 0; i < own.forces.size(); ++i) own.forces[i] = restrictsSliding_ ? forces.tangential[i][k] : 0.0;
-      const Pressures stresses = admissiblePressures(own);
-      result.values[k] = stresses.values;
-      result.feasible = result.feasible && stresses.feasible;
-    }
-    return result;
-  }
-
-  /// The bound of Tresca friction if it is the same everywhere and all nodes touch, so that it acts on all sides.
-  std::optional<double> constantBound(const ContactNodes& nodes, const PressedSides& sides) const {
-    if (!law_) return std::nullopt;
-    const auto at = [&](const Point& place) {
-      ContactTrial trial;
-      trial.force = {1, 0, 0};
-      trial.size = 1.0;
-      trial.place = place;
-      return law_->project(trial, PairStatus::Stick);
-    };
-    std::optional<double> all;
-    for (const TouchingSide* side : a_) {
-      std::vector<Point> points;
-      for (int j = 0; j < sideNodes(); ++j) points.push_back(side->places[j]);
-      for (const Point& point : points) {
-        const ContactState state = at(point);
-        if (state.friction != 0.0 || (all && *all != state.bound)) return std::nullopt;
-        all = state.bound;
-      }
-      // In the order of SideGeometry: values between the nodes are interpolated only if they are equal too.
-      if (!isInterpolated({points.begin(), points.begin() + dimension_}, dimension_, [&](const Point& p) { return at(p).bound; }))
-        return std::nullopt;
-    }
-    if (!all) return std::nullopt;
-    const Vector integrals = sideMass(dimension_, degree_).rowwise().sum();
-    std::vector<double> bounds(nodes.all().size(), 0.0);
-    for (int side = 0; side < sides.sides(); ++side)
-      for (int i = 0; i < sides.sideNodes(); ++i)
-        bounds[std::size_t(sides.nodesOf(side)[i])] += *all * integrals[i] * sides.sizes[std::size_t(side)];
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-      const ContactNode& node = nodes.all()[i];
-      if (!node.isClosed || std::abs(node.bound - bounds[i]) > kSameNormal * *all * sides.sizes[0]) return std::nullopt;
-    }
-    return all;
-  }
-
-  std::string collect(const ContactNodes& nodes, PressedSides& sides, Sides& pressed, Sides& others) const {
-    sides.dimension = dimension_;
-    sides.degree = degree_;
-    for (const ContactNode& node : nodes.all()) {
-      sides.places.push_back(node.place);
-      sides.forces.push_back(node.force);
-    }
-    std::map<std::vector<GlobalId>, const TouchingSide*> opposite;
-    for (const TouchingSide* side : b_) opposite[std::vector<GlobalId>(side->nodes.begin(), side->nodes.begin() + dimension_)] = side;
-    for (const TouchingSide* side : a_) {
-      std::vector<int> own;
-      for (int j = 0; j < sideNodes(); ++j)
-        if (nodes.indexOf(side->nodes[j]) >= 0) own.push_back(nodes.indexOf(side->nodes[j]));
-      if (int(own.size()) < sideNodes()) continue;  // its nodes face nothing
-      for (std::size_t j = 0; j < own.size(); ++j) {
-        if (norm(minus(nodes.all()[own[j]].normal, nodes.all()[own[0]].normal)) > kSameNormal)
-          return "its normals vary along its sides: it is curved, or its gap varies";
-        sides.places[own[j]] = side->places[j];
-      }
-      if (!contact_.groupsB.empty()) {
-        std::vector<GlobalId> key;
-        for (int j = 0; j < dimension_; ++j) key.push_back(nodes.all()[own[j]].b);
-        std::sort(key.begin(), key.end());
-        const auto found = opposite.find(key);
-        if (found == opposite.end()) return "its sides do not match";
-        others.push_back(found->second);
-      }
-      sides.nodes.insert(sides.nodes.end(), own.begin(), own.end());
-      sides.sizes.push_back(side->size);
-      pressed.push_back(side);
-    }
-    return pressed.empty() ? "no side of it faces another" : "";
-  }
-
-  void addTractions(const ContactNodes& nodes, const Sides& pressed, const Sides& others, const Matrix& pressures,
-                    const std::array<Matrix, 2>& friction, std::vector<SideTraction>& tractions) const {
-    for (std::size_t s = 0; s < pressed.size(); ++s) {
-      SideTraction own{pressed[s]->rank, pressed[s]->number};
-      const Point& normal = nodes.all()[nodes.indexOf(pressed[s]->nodes[0])].normal;
-      for (int j = 0; j < sideNodes(); ++j) {
-        const Point slid = along(normal, {friction[0](j, int(s)), friction[1](j, int(s))});
-        own.values[j] = scaled(-1.0, plus(scaled(pressures(j, int(s)), normal), slid));
-      }
-      tractions.push_back(own);
-      if (others.empty()) continue;
-      SideTraction other{others[s]->rank, others[s]->number};
-      const double sizes = pressed[s]->size / others[s]->size;  // the sides need not be parallel
-      for (int j = 0; j < sideNodes(); ++j) {
-        const GlobalId partner = nodes.all()[nodes.indexOf(pressed[s]->nodes[j])].b;
-        for (int i = 0; i < sideNodes(); ++i)
-          if (others[s]->nodes[i] == partner) other.values[i] = scaled(-sizes, own.values[j]);
-      }
-      tractions.push_back(other);
-    }
-  }
-
-  /// Lifts the sides out of each other: first their nodes, then the middles of their edges until the polynomial gap is nowhere negative.
-  void addGap(const ContactNodes& nodes, const PressedSides& sides, const Pressures& pressures, ContactTractions& all) const {
-    std::vector<double> heights;
-    for (const ContactNode& node : nodes.all()) heights.push_back(std::max(0.0, -node.gap));
-    const auto gapsOf = [&](const std::vector<double>& lifted) {
-      Matrix gaps(sides.sideNodes(), sides.sides());
-      for (int s = 0; s < sides.sides(); ++s)
-        for (int j = 0; j < sides.sideNodes(); ++j) gaps(j, s) = nodes.all()[sides.nodesOf(s)[j]].gap + lifted[sides.nodesOf(s)[j]];
-      return gaps;
-    };
-    const std::vector<double> more = liftOfGaps(sides, gapsOf(heights));
-    const std::map<GlobalId, double> stiffness = nodalStiffness();
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-      heights[i] += more[i];
-      if (!(heights[i] > 0.0) || contact_.isSoft) continue;
-      const ContactNode& node = nodes.all()[i];
-      // The energy of both lifts together is least if they are as their compliances.
-      const double ofA = node.b < 0 ? 1.0 : stiffness.at(node.b) / (stiffness.at(node.a) + stiffness.at(node.b));
-      move(all.lifts[node.a], -ofA * heights[i], node.normal);
-      if (node.b >= 0) move(all.lifts[node.b], (1.0 - ofA) * heights[i], node.normal);
-      all.liftWork += node.force * heights[i];
-    }
-    const double lifted = 2 * std::max(0.0, gapWork(sides, pressures.values, gapsOf(heights)));
-    all.liftedGapWork += lifted;
-    if (contact_.isSoft) {
-      all.gapWork += lifted;
-      addLayer(nodes, sides, pressures, heights, all);
-    } else {
-      all.gapWork += 2 * gapWork(sides, pressures.values, gapsOf(std::vector<double>(heights.size(), 0.0)));
-    }
-  }
-
-  static void move(Point& place, double by, const Point& direction) { place = plus(place, scaled(by, direction)); }
-
-  std::map<GlobalId, double> nodalStiffness() const {
-    std::map<GlobalId, double> all;
-    for (const Sides* sides : {&a_, &b_})
-      for (const TouchingSide* side : *sides)
-        for (int j = 0; j < sideNodes(); ++j) all[side->nodes[j]] = std::max(all[side->nodes[j]], side->young);
-    return all;
-  }
-
-  /// Springs of a softened contact: lifts shorten them, and do not move the body.
-  void addLayer(const ContactNodes& nodes, const PressedSides& sides, const Pressures& pressures, const std::vector<double>& heights,
-                ContactTractions& all) const {
-    const double k = stiffness_;
-    Matrix found(sides.sideNodes(), sides.sides()), lifted = found;
-    for (int s = 0; s < sides.sides(); ++s)
-      for (int j = 0; j < sides.sideNodes(); ++j) {
-        const int node = sides.nodesOf(s)[j];
-        found(j, s) = nodes.all()[node].shortening;
-        lifted(j, s) = found(j, s) + heights[std::size_t(node)];
-      }
-    const Matrix deviation = pressures.values - k * lifted;
-    all.layerWork += gapWork(sides, deviation, deviation) / k;
-    const double before = k * gapWork(sides, found, found);
-    all.layerEnergy += before;
-    all.layerLift += (k * gapWork(sides, lifted, lifted) - before) / 2;
-  }
-
-  void addFriction(const ContactNodes& nodes, const PressedSides& sides, const FrictionTractions& friction, ContactTractions& all) const {
-    std::array<Matrix, 2> slips;
-    for (Matrix& own : slips) own.resize(sides.sideNodes(), sides.sides());
-    for (int s = 0; s < sides.sides(); ++s)
-      for (int j = 0; j < sides.sideNodes(); ++j) {
-        const ContactNode& node = nodes.all()[sides.nodesOf(s)[j]];
-        const std::array<double, 2> slip = tangentialPart(node, node.slip);
-        slips[0](j, s) = slip[0], slips[1](j, s) = slip[1];
-      }
-    const double work = 2 * std::max(0.0, slipWork(sides, friction, slips));
-    all.gapWork += work;
-    all.liftedGapWork += work;
-    all.frictionEnergy += frictionEnergy(sides, friction, slips);
-    if (friction.isGiven) return;
-    const Matrix& mass = sideMass(dimension_, degree_);
-    std::vector<double> moments(nodes.all().size(), 0.0);
-    for (int s = 0; s < sides.sides(); ++s) {
-      const Vector own = sides.sizes[std::size_t(s)] * mass * friction.bounds.col(s);
-      for (int j = 0; j < sides.sideNodes(); ++j) moments[std::size_t(sides.nodesOf(s)[j])] += own[j];
-    }
-    double sum = 0.0, change = 0.0;
-    for (std::size_t i = 0; i < moments.size(); ++i) {
-      sum += nodes.all()[i].boundOfLaw;
-      change += std::abs(moments[i] - nodes.all()[i].boundOfLaw);
-    }
-    all.boundChange = std::max(all.boundChange, sum > 0.0 ? change / sum : 0.0);
-  }
-
-  /// Moves side A so that sides that do not separate touch exactly.
-  void close(const ContactNodes& nodes, ContactTractions& all) const {
-    for (const ContactNode& node : nodes.all()) {
-      Point step = scaled(node.gap, node.normal);
-      if (restrictsSliding_) step = minus(step, node.slip);
-      if (step == Point{0, 0, 0}) continue;
-      Point& value = all.lifts[node.a];
-      value = plus(value, step);
-      all.liftWork -= node.force * dot(step, node.normal) + dot(node.tangential, step);
-    }
-  }
-
-  void addRests(const ContactNodes& nodes, const std::vector<std::vector<int>>& clusters, const std::vector<Point>& rests,
-                ContactTractions& all) const {
-    for (const std::vector<int>& cluster : clusters) {
-      UnbalancedForces onA, onB;
-      for (const int i : cluster) {
-        const ContactNode& node = nodes.all()[i];
-        if (rests[i] == Point{0, 0, 0}) continue;
-        onA.nodes.push_back(node.a);
-        onA.forces.push_back(rests[i]);
-        if (node.b < 0) continue;
-        onB.nodes.push_back(node.b);
-        onB.forces.push_back(scaled(-1.0, rests[i]));
-      }
-      if (!onA.nodes.empty()) all.rests.push_back(std::move(onA));
-      if (!onB.nodes.empty()) all.rests.push_back(std::move(onB));
-    }
-  }
-
-  const TouchingSides& contact_;
-  int dimension_, degree_;
-  const ContactLaw* law_;
-  double stiffness_ = 0.0;  // stiffness of springs [stress / length]
-  bool separates_ = true, restrictsSliding_ = false, isSimple_ = true;
-  Sides a_, b_;
-  std::vector<ContactNodes::Pair> pairs_;
-};
-
-template <int D>
-std::vector<TouchingSide> sidesHere(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts,
-                                    const BoundParts<D>& parts) {
-  using Nodes = SimplexNodes<D>;
-  std::vector<TouchingSide> all;
-  const auto add = [&](int contact, int number, bool onA) {
-    TouchingSide side{contact, comm.getRank(), number, int(onA)};
-    const PlaceOfSide& place = parts.places[number];
-    const SubdomainMesh& mesh = solution.meshes[place.mesh];
-    const BoundElement<D>& element = parts.elements[parts.ofMesh[place.mesh][place.element]];
-    const Span<const int> nodes = mesh.nodesOf(place.element);
-    const CellInfo& cell = cellInfo(mesh.cells[place.element]);
-    const auto local = [&](GlobalId id) {
-      return int(std::find_if(nodes.begin(), nodes.end(), [&](int n) { return mesh.globalNodes[n] == id; }) - nodes.begin());
-    };
-    for (int j = 0; j < Nodes::sideNodes(parts.degree); ++j) {
-      const int node = Nodes::ofSide(place.opposite, j);
-      int at = 0;
-      if (node <= D) {
-        at = nodes[local(element.vertices[node])];
-      } else {
-        const int a = local(element.vertices[Nodes::ends[node - D - 1][0]]), b = local(element.vertices[Nodes::ends[node - D - 1][1]]);
-        for (std::size_t i = 0; i < cell.edges.size(); ++i)
-          if ((cell.edges[i][0] == a && cell.edges[i][1] == b) || (cell.edges[i][0] == b && cell.edges[i][1] == a))
-            at = nodes[cell.vertices + int(i)];
-      }
-      side.nodes[j] = mesh.globalNodes[at];
-      side.places[j] = mesh.point(at);
-      for (int k = 0; k < D; ++k) side.moved[j][k] = mesh.total(solution.displacement[place.mesh], D * Eigen::Index(at) + k);
-    }
-    const Point first = minus(side.places[1], side.places[0]);
-    Point normal = D == 2 ? Point{first[1], -first[0], 0} : cross(first, minus(side.places[2], side.places[0]));
-    side.size = D == 2 ? norm(normal) : norm(normal) / 2;
-    Point opposite{0, 0, 0};
-    for (int k = 0; k < D; ++k) opposite[k] = element.places(k, place.opposite);
-    if (dot(normal, minus(side.places[0], opposite)) < 0) normal = scaled(-1.0, normal);
-    side.normal = unit(normal);
-    side.young = 1.0 / element.compliance.diagonal().minCoeff();
-    const int vertex = nodes[local(element.vertices[place.opposite])];
-    for (const Coating& coating : mesh.coatings) {
-      if (!onA || coating.contact != contacts.touching[contact].line || coating.element != place.element) continue;
-      const std::vector<int> inner = mesh.innerNodes(coating);
-      if (std::find(inner.begin(), inner.end(), vertex) == inner.end()) side.stiffness = coating.normal;
-    }
-    all.push_back(side);
-  };
-  for (std::size_t i = 0; i < parts.onA.size(); ++i) {
-    for (const int number : parts.onA[i]) add(int(i), number, true);
-    for (const int number : parts.onB[i]) add(int(i), number, false);
-  }
-  return all;
-}
-
 /// The tractions of all contacts, on rank 0. \param kind  dimension and degree
 void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws, std::array<int, 2> kind,
              const std::vector<TouchingSide>& sides, const std::vector<TouchingPair>& pairs, const std::vector<BalancedForce>& forces,
              ContactTractions& result, std::vector<SideTraction>& tractions, std::set<std::string>& reasons) {
-  std::vector<OneContact> all;
+  std::vector<AdmissibleContact> all;
   std::map<int, std::size_t> ofLine;
   for (std::size_t i = 0; i < contacts.touching.size(); ++i) {
     const int line = contacts.touching[i].line;
-    all.emplace_back(contacts.touching[i], kind[0], kind[1], &laws.of(line));
+    all.emplace_back(contacts.touching[i], kind[0], kind[1], laws.of(line));
     ofLine[line] = i;
   }
   for (const TouchingSide& side : sides) all[side.contact].add(side);
@@ -460,7 +62,7 @@ void findAll(const BoundedSolution& solution, const BoundaryParts& contacts, con
     found->second.pair = *pair;
     all[line->second].add(found->second);
   }
-  for (OneContact& contact : all) contact.find(result, tractions, reasons);
+  for (AdmissibleContact& contact : all) contact.find(result, tractions, reasons);
   if (result.boundChange < 0.0) return;
   std::ostringstream text;
   text << std::scientific << std::setprecision(1) << result.boundChange;
@@ -523,8 +125,8 @@ ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solut
                                   BoundParts<D>& parts) {
   if (contacts.touching.empty()) return {};
   std::vector<SideTraction> tractions;
-  ContactTractions result = agreedTractions(comm, solution, contacts, laws, {D, parts.degree}, sidesHere(comm, solution, contacts, parts),
-                                            tractions, parts.reasons);
+  ContactTractions result = agreedTractions(comm, solution, contacts, laws, {D, parts.degree},
+                                            touchingSides(comm, solution, contacts, parts), tractions, parts.reasons);
   for (const SideTraction& own : tractions) {
     if (own.rank != comm.getRank()) continue;
     SideCondition<D>& side = parts.boundary[own.number];
