@@ -4,6 +4,7 @@
 
 // BLAS and LAPACK in either precision, matrices stored by columns. For sources only.
 
+extern "C" void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 extern "C" void slauum_(const char* uplo, const int* n, float* a, const int* lda, int* info);
 
@@ -41,6 +42,13 @@ inline void trmm(CBLAS_SIDE side, int m, int n, double factor, const double* a, 
 }
 inline void trmm(CBLAS_SIDE side, int m, int n, float factor, const float* a, float* b, int stride) {
   cblas_strmm(CblasColMajor, side, CblasLower, CblasNoTrans, CblasNonUnit, m, n, factor, a, stride, b, stride);
+}
+
+/// a <- l, a = l l^T, lower triangles, in place. False: a is not positive definite.
+inline bool potrf(int n, double* a) {
+  int info = 0;
+  if (n > 0) dpotrf_("L", &n, a, &n, &info);
+  return info == 0;
 }
 
 /// l <- l^T l, lower triangles, in place.

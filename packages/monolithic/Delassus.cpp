@@ -1,25 +1,15 @@
-#include <cblas.h>
+#include <suture/algebra/Blas.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/monolithic/Delassus.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int* stride, int* info);
-
 namespace suture {
 
 namespace {
 
 constexpr double pointCompliance = 2.0;  // as in ContactCompliance: half of a pair's compliance comes from the body beyond its own elements
-
-// a <- L, a = L L^T, lower triangle. False if a is not positive definite.
-bool factorInPlace(Matrix& a) {
-  const int n = int(a.rows()), stride = std::max(1, n);
-  int info = 0;
-  if (n > 0) dpotrf_("L", &n, a.data(), &stride, &info);
-  return info == 0;
-}
 
 // b <- L^-1 b, or L^-T b.
 void triangularSolve(const Matrix& lower, CBLAS_TRANSPOSE transpose, Eigen::Ref<Matrix> b) {
@@ -54,7 +44,7 @@ Delassus::Delassus(const CondensedContact& problem)
       if (part.isZero(0.0)) continue;
       s.noalias() += own * part * part.transpose();
     }
-    if (!factorInPlace(s))
+    if (!potrf(int(s.rows()), s.data()))
       throw NumericalError("condensed contact: the stiffness of a body is not positive definite although it has no rigid-body mode left");
 
     std::vector<int> here;

@@ -59,6 +59,17 @@ struct BoundElement {
   std::array<int, D + 1> boundary{};                   ///< number of a SideCondition, or -1
 };
 
+/// Symmetric tensor of components in the order of BoundElement::stresses.
+template <int D>
+Eigen::Matrix<double, D, D> tensorOf(const Eigen::Matrix<double, BoundElement<D>::stress, 1>& s) {
+  Eigen::Matrix<double, D, D> t;
+  if constexpr (D == 2)
+    t << s[0], s[2], s[2], s[1];
+  else
+    t << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  return t;
+}
+
 template <int D>
 int SimplexNodes<D>::ofSide(int a, int j) {
   const auto vertex = [a](int i) { return i < a ? i : i + 1; };

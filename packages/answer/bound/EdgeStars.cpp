@@ -1,12 +1,11 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <suture/algebra/Blas.hpp>
 #include <suture/algebra/Lanes.hpp>
 #include <suture/answer/bound/EdgeStars.hpp>
 
 #include <algorithm>
 #include <cmath>
-
-extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int* stride, int* info);
 
 namespace suture {
 
@@ -55,26 +54,9 @@ void factorWithout(Matrix& a) {
 
 template <int K>
 EdgeStars<K>::EdgeStars(const StarMesh<3>& mesh, const std::vector<Face>& faces) : mesh_(mesh), faces_(faces) {
-  std::vector<std::pair<int, int>> edges;  // higher vertex, tetrahedron
-  std::vector<int> elements;
-  for (int v = 0; v < mesh.vertices(); ++v) {
-    if (!mesh.isComplete(v)) continue;
-    edges.clear();
-    for (const int e : mesh.star(v))
-      for (const int w : mesh.verticesOf(e))
-        if (w > v) edges.push_back({w, e});
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 0; i < edges.size();) {
-      const int w = edges[i].first;
-      elements.clear();
-      bool own = false;
-      for (; i < edges.size() && edges[i].first == w; ++i) {
-        elements.push_back(edges[i].second);
-        own = own || edges[i].second < mesh.own();
-      }
-      if (own) walk(v, w, elements);
-    }
-  }
+  mesh.forEachEdge([&](int v, int w, const std::vector<int>& elements, bool isOwn) {
+    if (isOwn) walk(v, w, elements);
+  });
   Star end;
   end.faces = int(sides_.size()), end.betweens = int(betweens_.size());
   stars_.push_back(end);
@@ -82,7 +64,7 @@ EdgeStars<K>::EdgeStars(const StarMesh<3>& mesh, const std::vector<Face>& faces)
 
 /// Orders the tetrahedra and faces at an edge; where these form several fans, each is a star.
 template <int K>
-void EdgeStars<K>::walk(int v, int w, std::vector<int>& elements) {
+void EdgeStars<K>::walk(int v, int w, std::vector<int> elements) {
   const auto sidesAt = [&](int e) {
     std::array<int, 2> both{};
     for (int a = 0, n = 0; a < 4; ++a)
@@ -235,9 +217,7 @@ void EdgeStars<K>::factor(const std::vector<double>& grams) {
     for (int i = 0; i < n; ++i)
       if (a(i, i) == 0.0) a(i, i) = 1.0;  // no such traction: its loads are zero
     const Matrix copy = a;
-    int info = 0;
-    dpotrf_("L", &n, a.data(), &n, &info);
-    bool isSafe = info == 0;
+    bool isSafe = potrf(n, a.data());
     for (int i = 0; i < n && isSafe; ++i) isSafe = a(i, i) * a(i, i) > kNoStarStress * copy(i, i);
     if (!isSafe) {
       a = copy;

@@ -40,7 +40,7 @@ class EdgeStars {
   };
   using Transfer = Eigen::Matrix<double, 6, 6>;
 
-  void walk(int v, int w, std::vector<int>& elements);
+  void walk(int v, int w, std::vector<int> elements);
   void addFan(const std::vector<int>& elements, const std::vector<int>& sides, int v, int w);
   void restrict(Star& star, int end);
   Transfer transfer(const Star& star, int side) const;

@@ -183,16 +183,6 @@ class NodeStar {
   std::vector<char> grounded_;
 };
 
-template <int D>
-Eigen::Matrix<double, D, D> tensor(const Eigen::Matrix<double, BoundElement<D>::stress, 1>& s) {
-  Eigen::Matrix<double, D, D> t;
-  if constexpr (D == 2)
-    t << s[0], s[2], s[2], s[1];
-  else
-    t << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-  return t;
-}
-
 /// Replaces the given components of the tractions at the boundary. \param sign  +1 if the side's normal is the outward one, else -1
 template <int D, int count>
 void setGiven(const SideCondition<D>& boundary, double sign, Eigen::Matrix<double, D, count>& values) {
@@ -221,7 +211,7 @@ Matrix averagedMoments(const StarMesh<D>& mesh) {
       const int a = int(std::find(sides.begin(), sides.end(), s) - sides.begin());
       if (i == 0) sign = mesh.sign(both[i], a);
       Eigen::Matrix<double, D, D + 1> at;
-      for (int v = 0; v <= D; ++v) at.col(v) = tensor<D>(element.stresses.col(v)) * mesh.normal(s);
+      for (int v = 0; v <= D; ++v) at.col(v) = tensorOf<D>(element.stresses.col(v)) * mesh.normal(s);
       for (int j = 0; j < count; ++j) {
         const int node = SimplexNodes<D>::ofSide(a, j);
         if (node <= D) {
@@ -283,29 +273,15 @@ std::vector<RestAtNode> balance(const StarMesh<D>& mesh, Matrix& moments) {
     for (int v = 0; v < mesh.vertices(); ++v)
       if (mesh.isComplete(v)) note(balanceVertex(v), v, mesh.counts(v));
     if (mesh.degree() == 1) return rests;
-    std::vector<std::pair<int, int>> edges;      // other end, simplex
-    for (int v = 0; v < mesh.vertices(); ++v) {  // edges from v to higher vertices
-      if (!mesh.isComplete(v)) continue;
-      edges.clear();
-      for (const int e : mesh.star(v))
-        for (const int w : mesh.verticesOf(e))
-          if (w > v) edges.push_back({w, e});
-      std::sort(edges.begin(), edges.end());
-      for (std::size_t i = 0; i < edges.size();) {
-        star.clear();
-        const int w = edges[i].first;
-        bool own = false;
-        for (; i < edges.size() && edges[i].first == w; ++i) {
-          const int e = edges[i].second;
-          own = own || e < mesh.own();
-          const auto& all = mesh.verticesOf(e);
-          const int a = int(std::find(all.begin(), all.end(), v) - all.begin()),
-                    b = int(std::find(all.begin(), all.end(), w) - all.begin());
-          star.add(e, D + 1 + SimplexNodes<D>::edge(a, b));
-        }
-        if (own) note(star.balance(), v, mesh.counts(v));
+    mesh.forEachEdge([&](int v, int w, const std::vector<int>& simplices, bool isOwn) {
+      star.clear();
+      for (const int e : simplices) {
+        const auto& all = mesh.verticesOf(e);
+        const int a = int(std::find(all.begin(), all.end(), v) - all.begin()), b = int(std::find(all.begin(), all.end(), w) - all.begin());
+        star.add(e, D + 1 + SimplexNodes<D>::edge(a, b));
       }
-    }
+      if (isOwn) note(star.balance(), v, mesh.counts(v));
+    });
   }
   return rests;
 }

@@ -7,16 +7,6 @@ namespace suture {
 
 namespace {
 
-template <int D>
-Eigen::Matrix<double, D, D> tensorOf(const Eigen::Matrix<double, BoundElement<D>::stress, 1>& s) {
-  Eigen::Matrix<double, D, D> t;
-  if constexpr (D == 2)
-    t << s[0], s[2], s[2], s[1];
-  else
-    t << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-  return t;
-}
-
 /// Strain due to a displacement gradient du_i / dx_j.
 template <int D>
 Eigen::Matrix<double, BoundElement<D>::stress, 1> strainOfGradient(const Eigen::Matrix<double, D, D>& slope) {

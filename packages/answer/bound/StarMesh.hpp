@@ -2,7 +2,9 @@
 #include <suture/answer/bound/BoundElements.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
+#include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -48,6 +50,10 @@ class StarMesh {
   bool isComplete(int v) const { return complete_[v] != 0; }
   /// Simplices at a vertex.
   Span<const int> star(int v) const { return {starElements_.data() + starBegin_[v], std::size_t(starBegin_[v + 1] - starBegin_[v])}; }
+  /// Calls each(v, w, simplices, isOwn) for the edges from complete vertices v to higher vertices w, in ascending order, with the simplices
+  /// at the edge; isOwn: one of them is of this rank.
+  template <typename Each>
+  void forEachEdge(const Each& each) const;
   /// True on exactly one of the ranks that know a vertex, or a side of an own simplex.
   bool counts(int v) const { return counts_[v] != 0; }
   bool countsSide(int s) const { return countsSide_[s] != 0; }
@@ -83,5 +89,30 @@ class StarMesh {
   std::vector<int> starBegin_, starElements_;
   std::vector<char> complete_, counts_, countsSide_;
 };
+
+template <int D>
+template <typename Each>
+void StarMesh<D>::forEachEdge(const Each& each) const {
+  std::vector<std::pair<int, int>> edges;  // higher vertex, simplex
+  std::vector<int> simplices;
+  for (int v = 0; v < vertices(); ++v) {
+    if (!isComplete(v)) continue;
+    edges.clear();
+    for (const int e : star(v))
+      for (const int w : verticesOf(e))
+        if (w > v) edges.push_back({w, e});
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i < edges.size();) {
+      const int w = edges[i].first;
+      simplices.clear();
+      bool isOwn = false;
+      for (; i < edges.size() && edges[i].first == w; ++i) {
+        simplices.push_back(edges[i].second);
+        isOwn = isOwn || edges[i].second < own();
+      }
+      each(v, w, simplices, isOwn);
+    }
+  }
+}
 
 }  // namespace suture
