@@ -7,33 +7,21 @@ import argparse
 import json
 import math
 import pathlib
-import random
 import subprocess
 import sys
+
+from random_boxes import RandomBoxes, array, group, parameter
 
 CELLS = ["Triangle3", "Triangle6", "Triangle6", "Quadrilateral4", "Quadrilateral8"]
 HERTZ_HALF_WIDTH = 0.96277  # of the scene's .geo file
 
 
-def parameter(name, kind, value):
-    return f'<Parameter name="{name}" type="{kind}" value="{value}"/>'
-
-
-def group(name, *contents):
-    return f'<ParameterList name="{name}">' + "".join(contents) + "</ParameterList>"
-
-
-def array(*values):
-    return "{" + ", ".join(repr(value) for value in values) + "}"
-
-
-class Scene:
+class Scene(RandomBoxes):
     """A random scene. `fine`: factor of the number of cells in each direction."""
 
     def __init__(self, seed, fine, folder, geometry):
-        self.random = random.Random(seed)
-        self.fine, self.folder, self.geometry = fine, folder, geometry
-        self.boxes, self.bodies, self.materials, self.conditions, self.contacts = [], [], [], [], []
+        super().__init__(seed, fine, folder)
+        self.geometry = geometry
         self.mesh = None
         kind = self.random.choice(["stack", "pillars", "beam", "hertz"])
         self.cell = self.random.choice(CELLS)
@@ -42,26 +30,8 @@ class Scene:
         self.title = f"{kind} {self.cell} {'moved' if self.moved else 'pressed'} {seed}"
         getattr(self, kind)()
 
-    def body(self, name, stiffness):
-        self.bodies.append(group(name, parameter("Material", "string", "of " + name)))
-        self.materials.append(group("of " + name, parameter("Type", "string", "Isotropic"),
-                                    parameter("Young Modulus", "double", stiffness),
-                                    parameter("Poisson Ratio", "double", self.random.choice([0, 0.2, 0.3, 0.3, 0.45]))))
-
     def box(self, name, x, y, h):
-        cells = [max(1, round((side[1] - side[0]) / h)) * self.fine for side in (x, y)]
-        self.boxes.append(group(name, parameter("X", "Array(double)", array(*x)), parameter("Y", "Array(double)", array(*y)),
-                                parameter("Cells", "Array(int)", array(*cells)), parameter("Cell", "string", self.cell)))
-        self.body(name, 10 ** self.random.uniform(4, 6))
-
-    def condition(self, name, sides, kind, *values):
-        self.conditions.append(group(name, parameter("Group", "string", sides), parameter("Type", "string", kind), *values))
-
-    def fix(self, name, sides):
-        self.condition(name, sides, "Displacement", parameter("Value", "Array(double)", array(0.0, 0.0)))
-
-    def contact(self, name, a, b):
-        self.contacts.append(group(name, parameter("Side A", "string", a), parameter("Side B", "string", b)))
+        self.cells(name, x, y, [max(1, round((side[1] - side[0]) / h)) for side in (x, y)])
 
     def push(self, sides, pressure, depth):
         if self.moved:

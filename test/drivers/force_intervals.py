@@ -7,22 +7,19 @@ import argparse
 import json
 import math
 import pathlib
-import random
 import subprocess
 import sys
 
-from force_bars import array, group, parameter
+from random_boxes import RandomBoxes, array, group, parameter
 
 SLACK = 1e-6  # accuracy of the finer solution, of the largest force or displacement
 
 
-class Scene:
+class Scene(RandomBoxes):
     """A random scene whose contact sides match. `fine`: factor of the number of cells in each direction."""
 
     def __init__(self, seed, fine, folder):
-        self.random = random.Random(seed)
-        self.fine, self.folder = fine, folder
-        self.boxes, self.bodies, self.materials, self.conditions, self.contacts = [], [], [], [], []
+        super().__init__(seed, fine, folder)
         kind = self.random.choice(["stack", "pillars", "beam"])
         self.cell = self.random.choice(["Triangle3", "Triangle6", "Triangle6"])
         self.moved = self.random.choice([True, False])  # prescribed displacement or pressure
@@ -33,23 +30,7 @@ class Scene:
 
     def box(self, name, left, right, y, rows):
         """`left`, `right`: in cells of size h."""
-        self.boxes.append(group(name, parameter("X", "Array(double)", array(left * self.h, right * self.h)),
-                                parameter("Y", "Array(double)", array(*y)),
-                                parameter("Cells", "Array(int)", array((right - left) * self.fine, rows * self.fine)),
-                                parameter("Cell", "string", self.cell)))
-        self.bodies.append(group(name, parameter("Material", "string", "of " + name)))
-        self.materials.append(group("of " + name, parameter("Type", "string", "Isotropic"),
-                                    parameter("Young Modulus", "double", 10 ** self.random.uniform(4, 6)),
-                                    parameter("Poisson Ratio", "double", self.random.choice([0, 0.2, 0.3, 0.3, 0.45]))))
-
-    def condition(self, name, sides, kind, *values):
-        self.conditions.append(group(name, parameter("Group", "string", sides), parameter("Type", "string", kind), *values))
-
-    def fix(self, name, sides):
-        self.condition(name, sides, "Displacement", parameter("Value", "Array(double)", array(0.0, 0.0)))
-
-    def contact(self, name, a, b):
-        self.contacts.append(group(name, parameter("Side A", "string", a), parameter("Side B", "string", b)))
+        self.cells(name, (left * self.h, right * self.h), y, (right - left, rows))
 
     def push(self, sides, aside=0.0):
         if self.moved:
