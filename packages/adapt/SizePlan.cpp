@@ -1,5 +1,6 @@
 #include <suture/adapt/SingularVertices.hpp>
 #include <suture/adapt/SizePlan.hpp>
+#include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 
 #include <algorithm>
@@ -20,6 +21,7 @@ constexpr double kLeastSingular = 1.0 / 512;  // least ratio there
 constexpr double kEven = 1.2;                 // ratio of sizes in an element up to which their mean counts
 constexpr double kApart = 1.02;               // least ratio of different sizes, for divided differences
 constexpr double kOfSlide = 2.0;              // least size over the slide of a contact
+constexpr double kOfExtent = 1e-7;            // least size over the extent of the mesh: Gmsh merges points closer than 1e-8 of it
 constexpr double kPerHalving = 10.0;          // elements around a vertex between a size and half of it
 constexpr double kRounding = 8.0;             // steps per power of two
 constexpr int kBisections = 60;
@@ -154,6 +156,14 @@ void keepAboveSlides(const std::vector<FacingNodes>& facing, std::vector<double>
         sizes[static_cast<std::size_t>(node)] = std::max(sizes[static_cast<std::size_t>(node)], kOfSlide * pair.slide);
 }
 
+/// Raises the sizes to what the mesher can resolve.
+void keepResolved(const Mesh& mesh, std::vector<double>& sizes) {
+  BoundingBox all;
+  for (int node = 0; node < mesh.nodes(); ++node) all.include(mesh.point(node));
+  const double least = kOfExtent * norm(minus(all.high, all.low));
+  for (double& size : sizes) size = std::max(size, least);
+}
+
 /// Mean of h^-d over a simplex, on which h is linear. \param sizes  h at its d + 1 vertices
 /// The integral of the d-th derivative of a function g of h over a simplex is d! times its size times the divided difference of g at the
 /// vertices (Hermite and Genocchi); g = -log h in 2D, log h / 2 in 3D.
@@ -208,6 +218,7 @@ SizePlan planSizes(const Mesh& mesh, const std::vector<double>& squares, const s
   }
   for (std::size_t node = 0; node < largest.size(); ++node) sizes[node] = std::min(sizes[node], largest[node]);
   keepAboveSlides(facing, sizes);
+  keepResolved(mesh, sizes);
   limitGrowth(linksOf(mesh, facing), sizes);
   keepAboveSlides(facing, sizes);
   for (int e = 0; e < mesh.elements(); ++e) {

@@ -32,9 +32,9 @@ struct WantedError {
 /// them, have an error of order 1/2 and become smaller by (5 c / eta_K^2), at most by 512. Other ratios are kept in [1/8, 2]. All are
 /// rounded to eighths of a power of two, so that round-off in eta_K does not change the mesh, and sizes grow by at most a fraction of the
 /// distance along edges. Facing nodes of a contact have sizes that differ by at most that fraction of their distance, hence matching nodes
-/// equal ones. Their sizes are at least twice their slide, because contact forces stay at the nodes that are opposite in the mesh. Local
-/// (rank 0). \param mesh     simplices of order k \param squares  eta_K^2 of each element \param largest  upper limits of the sizes at the
-/// nodes of the mesh [length]; empty: none
+/// equal ones. Their sizes are at least twice their slide, because contact forces stay at the nodes that are opposite in the mesh, and all
+/// are at least 1e-7 of the extent of the mesh. Local (rank 0). \param mesh     simplices of order k \param squares  eta_K^2 of each
+/// element \param largest  upper limits of the sizes at the nodes of the mesh [length]; empty: none
 SizePlan planSizes(const Mesh& mesh, const std::vector<double>& squares, const std::vector<FacingNodes>& facing, const WantedError& wanted,
                    const std::vector<double>& largest = {});
 

@@ -143,6 +143,14 @@ TEUCHOS_UNIT_TEST(SizePlan, ObeysTheCap) {
   TEST_COMPARE(plan.elements, >, 150.0);
 }
 
+// A body of 5e-6 next to one of size 1: Gmsh merges points closer than 1e-8 of the extent.
+TEUCHOS_UNIT_TEST(SizePlan, IsNotBelowWhatTheMesherResolves) {
+  const Mesh mesh = boxes({{"large", 0, 1, 0, 1, 1, 1, Cell::Triangle3}, {"small", 9, 9 + 5e-6, 0, 5e-6, 1, 1, Cell::Triangle3}});
+  const SizePlan plan = planSizes(mesh, {1e-6, 1e-6, 1.0, 1.0}, {}, {1e-9, kAll});
+  const double extent = std::hypot(9 + 5e-6, 1), least = *std::min_element(plan.field.sizes.begin(), plan.field.sizes.end());
+  TEST_FLOATING_EQUALITY(least, 1e-7 * extent, 1e-10);
+}
+
 TEUCHOS_UNIT_TEST(SizePlan, DoesNotDependOnRoundOff) {
   const Mesh mesh = square(Cell::Triangle6, 12);
   std::vector<double> squares, other;
