@@ -111,6 +111,9 @@ class AdaptiveLevels {
   void judgeQuantity(AccuracyLevel& level) {
     const std::optional<double> before = reached_.levels.empty() ? std::nullopt : reached_.levels.back().value;
     if (judged_.solution().isValid()) quantity_ = quantityError(parts(), judged_.solution(), request_, before);
+    // Straight sides change a force as they change the energy.
+    const double geometry = geometry_.value_or(0.0);
+    quantity_.error += geometry * geometry * quantity_.value;
     level.value = quantity_.value;
     level.energyError = level.error;
     level.error = quantity_.relative();
@@ -179,8 +182,9 @@ class AdaptiveLevels {
     const std::vector<AccuracyLevel>& levels = reached_.levels;
     if (refinement == "uniform") return std::pow(0.5, order_) * error_.error;
     double ratio = wantedError() / error_.error;
-    if (levels.size() > 1 && levels.back().refinement == refinement && levels[levels.size() - 2].error > 0.0)
-      ratio = std::max(ratio, levels.back().error / levels[levels.size() - 2].error);
+    const auto errorOf = [](const AccuracyLevel& level) { return level.energyError.value_or(level.error); };
+    if (levels.size() > 1 && levels.back().refinement == refinement && errorOf(levels[levels.size() - 2]) > 0.0)
+      ratio = std::max(ratio, errorOf(levels.back()) / errorOf(levels[levels.size() - 2]));
     return std::min(ratio, 1.0) * error_.error;
   }
 

@@ -116,7 +116,7 @@ std::vector<int> nodesOfPair(const Comm& comm, const std::vector<SubdomainMesh>&
 
 /// Root mean square of the estimated stress error in the elements at these nodes: sqrt(E sum eta_K^2 / sum |K|). [stress]
 double stressErrorAt(const Comm& comm, const SceneParts& parts, const std::vector<Vector>& ofElements, const std::vector<int>& nodes) {
-  double sums[3] = {0, 0, 0}, all[3];  // squared errors times modulus, sizes, unused
+  double sums[2] = {0, 0}, all[2];  // squared errors times modulus, sizes
   for (std::size_t m = 0; m < parts.cut.meshes.size(); ++m) {
     const SubdomainMesh& mesh = parts.cut.meshes[m];
     for (int e = 0; e < mesh.elements(); ++e) {
@@ -129,7 +129,7 @@ double stressErrorAt(const Comm& comm, const SceneParts& parts, const std::vecto
       sums[1] += std::abs(signedSize(mesh, e));
     }
   }
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 3, sums, all);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, sums, all);
   return all[1] > 0.0 ? std::sqrt(all[0] / all[1]) : 0.0;
 }
 

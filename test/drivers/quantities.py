@@ -64,6 +64,16 @@ check("infinite: the reason", "infinite" in summary["failure"] and "partner that
 code, text, summary = solve("open", PUNCH, *wanted(0.05, "Contact Force"), *setting("Boundary Conditions/push/Value", "{0, 1e-6}"))
 check("no force", (code, summary["accuracy"]["limit"], "zero" in summary["failure"]), (4, "quantity", True))
 
+# Straight sides in place of the tunnel's curve are part of the error, against a fine mesh with curved sides.
+TUNNEL = INPUT / "tunnel" / "tunnel.xml"
+_, _, fine = solve("curved", TUNNEL, *setting("Accuracy/Error", 0.0005), *setting("Accuracy/Sides", "Curved"))
+force = math.hypot(*fine["reactions"]["contacts"]["fault above"]["force"])
+code, _, summary = solve("straight", TUNNEL, *wanted(1e-4, "Contact Force", Contact="fault above"))
+check("straight sides: reached", code, 0)
+for level in summary["accuracy"]["levels"]:
+    check("straight sides: their share", level["geometry"] ** 2, lambda share: 0 < share <= level["error"])
+    check("straight sides: the error holds", abs(level["value"] / force - 1), lambda true: true <= level["error"])
+
 # Bad input.
 for name, words, expected in (
         ("quantity", wanted(0.01, "Force"), "Accuracy/Quantity"),
