@@ -120,7 +120,7 @@ std::string AccuracyReached::failure() const {
                                                          {"time", "Accuracy/Most Seconds"},
                                                          {"levels", "Accuracy/Most Levels"},
                                                          {"solution", "the solver, which finds no valid solution on the next mesh"},
-                                                         {"mesh", "the mesher, which cannot make the next mesh"}};
+                                                         {"mesh", "the mesher, which cannot make a better mesh"}};
   if (isMet()) return "";
   const std::string subject = quantity == AccuracyRequest::kEnergy ? "the energy norm" : quantity;
   if (limit == "quantity") return subject + " has no relative error: " + why;

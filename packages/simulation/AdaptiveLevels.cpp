@@ -18,12 +18,13 @@ namespace suture {
 
 namespace {
 
-constexpr double kAim = 0.7;      // error of the last mesh over the requested one: predictions are not exact
-constexpr double kStep = 3.0;     // largest decrease of the error from one mesh to the next
-constexpr double kNear = 0.75;    // a goal that is not much smaller than the largest decrease is the aim itself
-constexpr double kCheap = 4.0;    // unknowns of the last mesh over those of a uniform one that only measures the rate
-constexpr double kRefined = 1.5;  // Gmsh makes up to this many times the elements of half the size
-constexpr double kWorth = 1.25;   // a capped mesh needs this many times the unknowns of the present one
+constexpr double kAim = 0.7;       // error of the last mesh over the requested one: predictions are not exact
+constexpr double kStep = 3.0;      // largest decrease of the error from one mesh to the next
+constexpr double kNear = 0.75;     // a goal that is not much smaller than the largest decrease is the aim itself
+constexpr double kCheap = 4.0;     // unknowns of the last mesh over those of a uniform one that only measures the rate
+constexpr double kRefined = 1.5;   // Gmsh makes up to this many times the elements of half the size
+constexpr double kWorth = 1.25;    // a capped mesh needs this many times the unknowns of the present one
+constexpr double kUseless = 0.95;  // error over that of the previous mesh from which the refinement is of no use
 
 }  // namespace
 
@@ -128,6 +129,10 @@ class AdaptiveLevels {
       reached_.limit = "levels";
       return next;
     }
+    if (stagnates()) {
+      reached_.limit = "mesh";
+      return next;
+    }
     const AccuracyLevel& last = reached_.levels.back();
     const double perElement = static_cast<double>(last.unknowns) / static_cast<double>(last.elements);
     const double wanted = wantedError();
@@ -161,6 +166,18 @@ class AdaptiveLevels {
     std::vector<Vector> mine;
     for (const Vector& errors : error_.ofElements) mine.emplace_back(errors.cwiseAbs2());
     return valuesOnRoot(comm(), judged_.meshes(), mine, elements);
+  }
+
+  /// Error in the energy norm, with the effect of straight sides, relative.
+  static double energyErrorOf(const AccuracyLevel& level) {
+    return std::hypot(level.energyError.value_or(level.error), level.geometry.value_or(0.0));
+  }
+
+  /// True if the last refinement was of no use: the smallest elements that the mesher can make are too large.
+  bool stagnates() const {
+    const std::vector<AccuracyLevel>& levels = reached_.levels;
+    return levels.size() > 2 && levels[levels.size() - 2].refinement == levels.back().refinement &&
+           energyErrorOf(levels.back()) > kUseless * energyErrorOf(levels[levels.size() - 2]);
   }
 
   /// Factor by which the error in the energy norm is too large for the aim; the error of another quantity is proportional to a power of it.

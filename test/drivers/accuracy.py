@@ -55,6 +55,17 @@ for level in coarse["accuracy"]["levels"] + fine["accuracy"]["levels"][:3]:
     true = (level["energy"] / fine["energy"] - 1) ** 0.5
     check("the estimate is close to the error", level["error"] / true, lambda part: 0.7 < part < 1.6)
 
+# A corner at inclined sides, where elements become so small that three nodes of a side are not on a line: the same meshes at any angle. The
+# difference of the energies is half of the difference of the squared errors, both below 0.05 %.
+BRACKET = pathlib.Path(__file__).parent / "turned_bracket.xml"
+energies = []
+for angle in (0, 23, 120):
+    code, _, summary = solve(f"bracket_{angle}", BRACKET, *error(0.0005), *setting("Mesh/Constants/angle", angle))
+    check("bracket: the error is reached", (code, summary["accuracy"]["limit"], summary["accuracy"]["strict"]), (0, "", True))
+    energies.append(summary["energy"])
+for energy in energies:
+    check("bracket: the same energy", abs(energy / energies[0] - 1), lambda part: part < 0.0005**2)
+
 # Lame's tube under internal pressure: energy of the exact solution, -1/2 p u(a) pi a / 2 for a quarter. The squared bound and the squared
 # effect of straight sides are together a bound of twice the difference of the energies.
 TUBE = pathlib.Path(__file__).parent / "ring.xml"

@@ -4,6 +4,7 @@
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/HilbertOrder.hpp>
 #include <suture/reader/cad/CadFile.hpp>
+#include <suture/reader/gmsh/FlatTriangles.hpp>
 #include <suture/reader/gmsh/GeoStatements.hpp>
 #include <suture/reader/gmsh/GeoText.hpp>
 #include <suture/reader/gmsh/GmshAssembly.hpp>
@@ -85,6 +86,7 @@ GmshMesh cachedMesh(const GmshInput& input, const MesherOrder& order, const std:
 Mesh finish(const GmshInput& input, const MesherOrder& order, const std::vector<std::string>& files, SideDescriptions* descriptions) {
   GmshMesh made = cachedMesh(input, order, files);
   if (descriptions) *descriptions = made.descriptions;
+  swapFlatTriangles(made);
   Mesh mesh = assembleGmsh(std::move(made), input.path);
   if (!input.mayTangle) straighten(mesh);
   checkLargest(mesh, input);
