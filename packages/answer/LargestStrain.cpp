@@ -8,10 +8,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kSmall = 0.01;
-
 template <int D>
-void search(const SubdomainMesh& mesh, const Vector& displacement, Largest& strains, Largest& rotations) {
+void search(const SubdomainMesh& mesh, const Vector& displacement, double least, Largest& strains, Largest& rotations) {
   for (int e = 0; e < mesh.elements(); ++e) {
     const Span<const int> nodes = mesh.nodesOf(e);
     ElementMap<D> map(mesh, e, referenceElement(mesh.cells[e], Rule::Centroid));
@@ -27,23 +25,26 @@ void search(const SubdomainMesh& mesh, const Vector& displacement, Largest& stra
     const double rotation =
         0.5 * Eigen::Vector3d(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1)).norm();
     const auto place = [&] { return map.place(); };
-    if (rotation > kSmall) rotations.take(rotation, mesh.body, mesh.globalElements[e], place);
+    if (rotation > least) rotations.take(rotation, mesh.body, mesh.globalElements[e], place);
     const double bound = strain.norm();  // upper bound of the principal strains
-    if (bound <= kSmall || !strains.mayTake(bound)) continue;
+    if (bound <= least || !strains.mayTake(bound)) continue;
     const double largest =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(strain, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
-    if (largest > kSmall) strains.take(largest, mesh.body, mesh.globalElements[e], place);
+    if (largest > least) strains.take(largest, mesh.body, mesh.globalElements[e], place);
   }
 }
 
 }  // namespace
 
-LargestStrain largestStrain(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {
+LargestStrain largestStrain(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement,
+                            double least, int body) {
   Largest mine[2], all[2];
   collectively(comm, "looking for the largest strain", [&] {
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-      meshes[i].dimension == 2 ? search<2>(meshes[i], displacement[i], mine[0], mine[1])
-                               : search<3>(meshes[i], displacement[i], mine[0], mine[1]);
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      if (body >= 0 && meshes[i].body != body) continue;
+      meshes[i].dimension == 2 ? search<2>(meshes[i], displacement[i], least, mine[0], mine[1])
+                               : search<3>(meshes[i], displacement[i], least, mine[0], mine[1]);
+    }
   });
   Packer packer;
   for (const Largest& one : mine) packer.put(one);

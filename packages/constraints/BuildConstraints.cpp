@@ -236,8 +236,11 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   return constraints;
 }
 
-std::vector<Condition> withFactors(std::vector<Condition> conditions, const LoadSteps& steps) {
-  for (Condition& condition : conditions) condition.factor = steps.factorOf(condition.name);
+std::vector<Condition> prepared(std::vector<Condition> conditions, const LoadSteps& steps, const ConditionChange& change) {
+  for (Condition& condition : conditions) {
+    condition.factor = steps.factorOf(condition.name);
+    if (change) change(condition);
+  }
   return conditions;
 }
 
@@ -246,18 +249,18 @@ std::vector<Condition> withFactors(std::vector<Condition> conditions, const Load
 Schema contactSchema() { return contactSchema(Frictionless::kName, Registry<ContactLaw>::instance().schemas()); }
 
 Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
-                             const ContactScales& scales, const LoadSteps& steps) {
+                             const ContactScales& scales, const LoadSteps& steps, const ConditionChange& change) {
   Problems problems;
-  const std::vector<Condition> sound = withFactors(conditionsOn(mesh, conditions, problems), steps);
+  const std::vector<Condition> sound = prepared(conditionsOn(mesh, conditions, problems), steps, change);
   return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, problems);
 }
 
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
-                             const ContactScales& scales, const LoadSteps& steps) {
+                             const ContactScales& scales, const LoadSteps& steps, const ConditionChange& change) {
   Problems problems;
   Constants known = constants;
   known.dimension = mesh.dimension;
-  const std::vector<Condition> sound = withFactors(readConditions(mesh, conditionList, known, problems), steps);
+  const std::vector<Condition> sound = prepared(readConditions(mesh, conditionList, known, problems), steps, change);
   return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, problems);
 }
 

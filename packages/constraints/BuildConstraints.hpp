@@ -24,6 +24,9 @@ struct ContactScales {
   std::string lengthUnit;  ///< for notes, as "mm"
 };
 
+/// Changes a condition before it is applied; empty: none changes.
+using ConditionChange = std::function<void(Condition& condition)>;
+
 /// Turns boundary conditions and contacts into nodal rules, pairs and pieces. Local (rank 0).
 ///
 /// Nodal rules: each condition gives rows (direction, value) at its nodes: Displacement one row per prescribed component, Bilateral the row
@@ -40,11 +43,11 @@ struct ContactScales {
 ///                     prescribed values (place, the two conditions); an expression that cannot be read, or has no finite value
 ///                     (place).
 Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
-                             const ContactScales& scales = {}, const LoadSteps& steps = {});
+                             const ContactScales& scales = {}, const LoadSteps& steps = {}, const ConditionChange& change = {});
 
 /// Reads conditions and contacts from a scene. \param conditions  its list `Boundary Conditions` \param contact  its list `Contact`
 /// \param constants  for their expressions
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {},
-                             const ContactScales& scales = {}, const LoadSteps& steps = {});
+                             const ContactScales& scales = {}, const LoadSteps& steps = {}, const ConditionChange& change = {});
 
 }  // namespace suture

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 
+#include <array>
 #include <unordered_map>
 #include <vector>
 
@@ -8,14 +9,18 @@ namespace suture {
 
 /// Nodes that move as one rigid body, by a condition `Rigid Group`. The motions that nothing prescribes are unknowns: components of some of
 /// the nodes, the masters (at most six; in 2D three). Every other component of the nodes follows: it is the value of its NodeRule plus a
-/// linear combination of the masters. All nodes have a rule with Cartesian axes, which fixes all components except masters.
+/// linear combination of the masters. All nodes have a rule with the axes of the group, which fixes all components except masters.
 struct RigidGroup {
   int condition = -1;                 ///< index in Constraints::conditions
   Point point{0, 0, 0};               ///< reference point
+  Point moved{0, 0, 0};               ///< displacement of that point from the drawn body to the mesh, for bodies that move far [length]
+  Point turned{0, 0, 0};              ///< rotation vector of the body, likewise [radians]
   std::vector<int> nodes;             ///< ascending
   std::vector<int> masterNodes;       ///< node of each master
   std::vector<int> masterComponents;  ///< component of each master
-  std::vector<double> coefficients;   ///< by node, component and master: derivative of the component; for a master itself 1 and 0
+  /// Axes of the components: Cartesian, or those of the drawn body, turned with it.
+  std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::vector<double> coefficients;  ///< by node, component and master: derivative of the component; for a master itself 1 and 0
 
   int masters() const { return static_cast<int>(masterNodes.size()); }
   /// Derivatives of a component with respect to the masters. \param place  index in nodes
@@ -25,7 +30,8 @@ struct RigidGroup {
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.condition), each(self.point), each(self.nodes), each(self.masterNodes), each(self.masterComponents), each(self.coefficients);
+    each(self.condition), each(self.point), each(self.moved), each(self.turned), each(self.nodes), each(self.masterNodes),
+        each(self.masterComponents), each(self.axes), each(self.coefficients);
   }
 };
 
@@ -49,6 +55,8 @@ class RigidGroupNodes {
     for (int m = 0; m < group.masters(); ++m)
       if (row[m] != 0.0) each(group.masterNodes[static_cast<std::size_t>(m)], group.masterComponents[static_cast<std::size_t>(m)], row[m]);
   }
+  /// Axis of a component of a node in a group.
+  const Point& axis(int node, int component) const { return placeOf_.at(node).group->axes[static_cast<std::size_t>(component)]; }
   /// True if the component of a node is a master.
   bool isMaster(int node, int component) const;
   /// True if the node is in a group of which some motion is free.

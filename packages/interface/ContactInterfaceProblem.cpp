@@ -15,12 +15,16 @@ namespace suture {
 
 namespace {
 
-/// Free unknowns of a subdomain at seams and in its contact rows.
+/// Free unknowns of a subdomain at seams and in its contact rows; for bodies that move far at all nodes that may come into contact, which
+/// have a rule for their axes.
 std::vector<int> boundaryDofs(const Subdomain& subdomain) {
   const SubdomainMesh& mesh = subdomain.mesh();
   std::set<GlobalId> inContact;
   for (const ContactRow& row : mesh.contactRows)
     for (const ContactRow::Equation& equation : row.equations) inContact.insert(equation.dofs.begin(), equation.dofs.end());
+  for (const NodeRule& rule : mesh.rules)
+    for (int k = 0; !mesh.drawn.empty() && k < mesh.dimension; ++k)
+      if (const int dof = subdomain.dof(rule.node, k); dof >= 0) inContact.insert(subdomain.globalDof(dof));
   std::vector<int> dofs;
   for (int dof = 0; dof < subdomain.dofs(); ++dof)
     if (!mesh.others(subdomain.nodeOf(dof)).empty() || inContact.count(subdomain.globalDof(dof))) dofs.push_back(dof);
@@ -33,23 +37,35 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
                                                  const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalSolverMaker& solver,
                                                  const SchurMaker& schur, ContactLaws laws)
     : comm_(std::move(comm)), subdomains_(subdomains), laws_(std::move(laws)) {
-  InterfaceLayout layout;
   const double softest = softestStiffness(*comm_, subdomains);
   collectively(*comm_, "factoring the subdomains", [&] {
     for (const auto& subdomain : subdomains) {
       Progress::count("subdomains", static_cast<long>(subdomains.size()));
-      const std::vector<int> boundary = boundaryDofs(*subdomain);
-      addUnknowns(*subdomain, boundary, layout);
-      locals_.push_back(std::make_shared<SubdomainProblem>(subdomain->mesh().id, *subdomain, boundary, solver, schur(), softest));
+      boundaries_.push_back(boundaryDofs(*subdomain));
+      locals_.push_back(std::make_shared<SubdomainProblem>(subdomain->mesh().id, *subdomain, boundaries_.back(), solver, schur(), softest));
+    }
+  });
+  connect();
+  for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
+}
+
+/// The space of the local problems, and the contact rows in it.
+void ContactInterfaceProblem::connect() {
+  InterfaceLayout layout;
+  collectively(*comm_, "connecting the subdomains", [&] {
+    for (std::size_t s = 0; s < subdomains_.size(); ++s) {
+      const std::unique_ptr<Subdomain>& subdomain = subdomains_[s];
+      addUnknowns(*subdomain, boundaries_[s], layout);
       layout.locals.push_back(subdomain->mesh().id);
-      layout.boundaries.push_back(locals_.back()->boundary());
+      layout.boundaries.push_back(locals_[s]->boundary());
       for (const ContactRow& row : subdomain->mesh().contactRows)
         for (const ContactRow::Equation& equation : row.equations)
           layout.partners.insert(layout.partners.end(), equation.dofs.begin(), equation.dofs.end());
     }
     addSeams(
-        subdomains, [](int subdomain) { return subdomain; }, layout);
+        subdomains_, [](int subdomain) { return subdomain; }, layout);
   });
+  contact_.reset(), tangents_.reset(), rows_.reset(), balance_.reset();
   space_ = std::make_shared<InterfaceSpace>(comm_, layout);
   balance_ = std::make_unique<InterfaceBalance>(space_, LocalProblems(locals_.begin(), locals_.end()));
   takeLoads();
@@ -63,7 +79,6 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   tangents_ = std::make_unique<PairTangents>(space_, subdomains_, rows_->all(), rows_->owned(), rows_->clusters(),
                                              laws_.restrictSliding() ? space_->dimension() : 1, restrictsSliding());
   findContact();
-  for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
 }
 
 /// Diagonal of the shear stiffness on the overlap: contact deforms a surface by change of shape, even if the volume is constant.
@@ -83,7 +98,15 @@ void ContactInterfaceProblem::takeLoads() {
   balance_->takeLoads(energy);
 }
 
+void ContactInterfaceProblem::rearrange() {
+  collectively(*comm_, "loading the subdomains", [&] {
+    for (const auto& local : locals_) local->reload();
+  });
+  connect();
+}
+
 void ContactInterfaceProblem::findContact() {
+  contact_.reset();
   if (pairs_ > 0) contact_ = std::make_unique<InterfaceContact>(comm_, subdomains_, *space_, laws_, *rows_, *balance_, *tangents_);
 }
 

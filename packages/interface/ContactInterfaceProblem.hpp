@@ -40,6 +40,8 @@ class ContactInterfaceProblem : public InterfaceProblem {
   std::optional<BrokenField> brokenField(const InterfaceState& state, const std::vector<Vector>& corrections) const override;
   bool reloads() const override { return true; }
   void reload() override;
+  bool rearranges() const override { return true; }
+  void rearrange() override;
   void rememberPath(const std::vector<BodyForces>& carried) override {
     if (contact_) contact_->bodies().remember(carried);
   }
@@ -51,6 +53,7 @@ class ContactInterfaceProblem : public InterfaceProblem {
   PairForce forceOf(int row, const InterfaceState& state, const Vector& force, const Vector& gaps) const;
   bool restrictsSliding() const { return pairs_ > 0 && laws_.restrictSliding(); }
   Vector shearStiffness() const;
+  void connect();
   void takeLoads();
   void findContact();
   Vector movedRows(const InterfaceState& state) const { return contact_ ? contact_->movedRows(state) : Vector(); }
@@ -58,6 +61,7 @@ class ContactInterfaceProblem : public InterfaceProblem {
   CommPtr comm_;
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
   ContactLaws laws_;
+  std::vector<std::vector<int>> boundaries_;  // free unknowns of the subdomains on the interface
   std::vector<std::shared_ptr<SubdomainProblem>> locals_;
   std::shared_ptr<const InterfaceSpace> space_;  // without relations
   std::unique_ptr<InterfaceBalance> balance_;

@@ -78,6 +78,11 @@ class InterfaceProblem {
   /// Reloads the current loads of the subdomains and the current gaps and histories of their pairs; factorisations are kept.
   virtual void reload() {}
 
+  /// True if rearrange() may be called.
+  virtual bool rearranges() const { return false; }
+  /// Takes over new places and pairs of the subdomains, after Subdomain::rearrange(); factorisations are kept. Collective.
+  virtual void rearrange() {}
+
   /// Sets the largest forces on each body on the path of load steps so far, from which round-off is estimated. \param carried  empty: none
   virtual void rememberPath(const std::vector<BodyForces>& carried) { (void)carried; }
 

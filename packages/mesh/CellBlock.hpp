@@ -62,6 +62,8 @@ struct Coating {
 struct CellBlock {
   int dimension = 2;
   std::vector<double> coordinates;  ///< nodes x dimension [length]
+  /// Coordinates of the bodies as drawn, where the mesh is a later shape of bodies that move far; empty: it is the drawn mesh itself.
+  std::vector<double> drawn;
   std::vector<Cell> cells;          ///< shape of each element
   std::vector<int> offsets{0};      ///< elements + 1
   std::vector<int> connectivity;    ///< nodes of element e: connectivity[offsets[e] .. offsets[e+1])
@@ -82,11 +84,9 @@ struct CellBlock {
   Span<const int> nodesOf(int element) const {
     return {connectivity.data() + offsets[element], std::size_t(offsets[element + 1] - offsets[element])};
   }
-  Point point(int node) const {
-    Point p{0, 0, 0};
-    for (int k = 0; k < dimension; ++k) p[k] = coordinates[std::size_t(node) * dimension + k];
-    return p;
-  }
+  Point point(int node) const { return pointFrom(coordinates, node); }
+  /// Place of a node on the drawn body.
+  Point drawnPoint(int node) const { return pointFrom(drawn.empty() ? coordinates : drawn, node); }
   /// Nodes of a side, vertices first, in the order defined in SideGeometry.hpp.
   std::vector<int> nodesOf(const Side& side) const;
   SideKey keyOf(const Side& side) const;
@@ -96,6 +96,13 @@ struct CellBlock {
   /// Outer nodes of a coating, in the order of innerNodes().
   Span<const int> outerNodes(const Coating& coating) const {
     return {coatingNodes.data() + coating.begin, cellInfo(cells[coating.element]).sideNodes[coating.side].size()};
+  }
+
+ private:
+  Point pointFrom(const std::vector<double>& values, int node) const {
+    Point p{0, 0, 0};
+    for (int k = 0; k < dimension; ++k) p[k] = values[std::size_t(node) * dimension + k];
+    return p;
   }
 };
 

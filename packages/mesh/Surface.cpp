@@ -23,6 +23,7 @@ Surface::Surface(const CellBlock& block, const std::vector<Side>& sides) : dimen
     std::vector<Point> points;
     for (const int node : sides_.back()) points.push_back(block.point(node));
     addSide(points, block.axisymmetric, sides_.back());
+    for (const int node : sides_.back()) nodes_.at(node).drawn = block.drawnPoint(node);
   }
   findNeighbours();
 }
@@ -61,7 +62,7 @@ void Surface::addSide(const std::vector<Point>& points, bool axisymmetric, const
   for (int i = 0; i < count; ++i) {
     own.push_back(&nodes_[nodes[i]]);
     Node& node = *own.back();
-    node.position = points[i];
+    node.position = node.drawn = points[i];
     for (int k = 0; k < 3; ++k) node.weightedNormal[k] += normals[i].weight * normals[i].density[k];
     node.sideNormals.push_back(unit(normals[i].density));
     sizes.push_back(node.tributary);

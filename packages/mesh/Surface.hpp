@@ -25,6 +25,7 @@ class Surface {
 
   struct Node {
     Point position{0, 0, 0};
+    Point drawn{0, 0, 0};           ///< position on the drawn body (CellBlock::drawn)
     Point weightedNormal{0, 0, 0};  ///< sum over sides of outward normal x share of the node [length or area]
     double tributary = 0.0;         ///< integral of the node's shape functions [length or area]; axisymmetric: [area]
     double spacing = std::numeric_limits<double>::infinity();  ///< distance to the nearest adjacent node [length]

@@ -143,7 +143,7 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
         if (rule.fixed[k]) {
           Vector row = along(part, mesh.point(rule.node), rule.axes[k], dimension);
           rigid.forEachMaster(rule.node, k, [&](int node, int component, double coefficient) {
-            row -= coefficient * part.at(mesh.point(node), dimension).row(component).transpose();
+            row -= coefficient * along(part, mesh.point(node), rigid.axis(node, component), dimension);
           });
           add(row, rule.value[k]);
           fixed[partOf[s]].push_back(own.back());

@@ -132,7 +132,8 @@ RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bo
       addRow(rule.node, rule.axes[k]);
       const int part = all.partOfNode[rule.node];
       rigid.forEachMaster(rule.node, k, [&](int node, int component, double coefficient) {
-        rows[part].row(rowsOf[part] - 1) -= coefficient * all.parts[part].at(mesh.point(node), dimension).row(component);
+        const Eigen::Map<const Vector> axis(rigid.axis(node, component).data(), dimension);
+        rows[part].row(rowsOf[part] - 1) -= coefficient * axis.transpose() * all.parts[part].at(mesh.point(node), dimension);
       });
     }
   for (const SpringDirection& spring : constraints.springs) addRow(spring.node, spring.direction);

@@ -89,7 +89,10 @@ void Cutter::sortRigidGroups() {
       RigidGroup& part = rigidGroups_[static_cast<std::size_t>(s)].emplace_back();
       part.condition = group.condition;
       part.point = group.point;
+      part.moved = group.moved;
+      part.turned = group.turned;
       part.masterComponents = group.masterComponents;
+      part.axes = group.axes;
       for (const int master : group.masterNodes) part.masterNodes.push_back(share_.localNode(master));
       for (const std::size_t place : places) {
         part.nodes.push_back(share_.localNode(group.nodes[place]));

@@ -72,6 +72,10 @@ struct SubdomainMesh : CellBlock {
     std::map<int, Point> slips;           ///< original ContactPair::past.slip of those that restrict sliding, by id
   };
   Lift lift;
+  /// Displacement of a node's component from the drawn body. \param u  from the mesh, without the lift
+  double fromDrawn(const Vector& u, Eigen::Index i) const {
+    return drawn.empty() ? total(u, i) : total(u, i) + (coordinates[std::size_t(i)] - drawn[std::size_t(i)]);
+  }
   /// Slip at the beginning of the load step, the lift included. [length]
   Point pastSlip(const ContactPair& pair) const {
     const auto original = lift.slips.find(pair.id);

@@ -83,9 +83,10 @@ GridSize sizeOf(const std::vector<SubdomainMesh>& subdomains, const PointNumbers
 void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vector& u, Piece& all) {
   for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n) {
     if (!numbers.isNew(mesh, n)) continue;
-    const Point x = mesh.point(n);
+    const Point x = mesh.drawnPoint(n);
     all.grid.points.insert(all.grid.points.end(), x.begin(), x.end());
-    for (int k = 0; k < 3; ++k) all.displacement.push_back(k < mesh.dimension ? mesh.total(u, Eigen::Index(n) * mesh.dimension + k) : 0.0);
+    for (int k = 0; k < 3; ++k)
+      all.displacement.push_back(k < mesh.dimension ? mesh.fromDrawn(u, Eigen::Index(n) * mesh.dimension + k) : 0.0);
     all.nodeId.push_back(mesh.globalNodes[std::size_t(n)]);
   }
 }

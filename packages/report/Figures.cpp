@@ -125,7 +125,9 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
 
 namespace {
 
-constexpr double kLarge = 0.1;     // strain or rotation
+constexpr double kLarge = 0.1;  // strain or rotation
+// Strain by linear theory of an element that turns against the frame of its body, half of the square of the angle, over the largest strain.
+constexpr double kSpurious = 0.05;
 constexpr int kLong = 10;          // pairs of a piece that are enough to resolve a pressure
 constexpr int kFew = 4;            // adjacent closed pairs that resolve it roughly
 constexpr double kCarries = 1e-3;  // fraction of the largest pressure that is above round-off
@@ -244,12 +246,25 @@ std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<S
   const auto at = [&](const Extreme& found) {
     return " at " + placeText(found.place, model.dimension) + " of '" + model.bodies[std::size_t(found.body)] + "'";
   };
+  int moves = 0;
+  const int mine = std::any_of(meshes.begin(), meshes.end(), [](const SubdomainMesh& mesh) { return !mesh.drawn.empty(); });
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(moves));
   std::string large;
   if (most.strain.value > kLarge) large = format("strains reach %.2g", most.strain.value) + at(most.strain);
-  if (most.rotation.value > kLarge)
+  if (moves == 0 && most.rotation.value > kLarge)
     large += (large.empty() ? "" : ", ") + format("rotations reach %.2g rad", most.rotation.value) + at(most.rotation);
   if (!large.empty())
-    notes.push_back(large + ": Suture assumes small strains and rotations, and contact pairs are those of the undeformed bodies");
+    notes.push_back(large + (moves ? ": Suture assumes small strains"
+                                   : ": Suture assumes small strains and rotations, and contact pairs are those of the undeformed bodies"));
+  for (std::size_t body = 0; moves != 0 && body < model.bodies.size(); ++body) {
+    const LargestStrain own = largestStrain(comm, meshes, solution.displacement, 0.0, static_cast<int>(body));
+    const double spurious = 0.5 * own.rotation.value * own.rotation.value;
+    if (spurious > kSpurious * own.strain.value)
+      notes.push_back("body '" + model.bodies[body] + "' bends too much for one frame: elements turn by up to " +
+                      format("%.2g rad", own.rotation.value) + " against it," + at(own.rotation) +
+                      format(", by linear theory a strain of %.2g", spurious) +
+                      format(", and the largest strain is %.2g", own.strain.value));
+  }
   std::string said;
   collectivelyOnRoot(comm, "examining the contacts", [&] {
     said = patchNotes(pieces, solution.pairs) + openEndNotes(pieces, solution.pairs) + slidOffNotes(pieces, solution.pairs);

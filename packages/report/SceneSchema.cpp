@@ -34,6 +34,11 @@ Schema schemaOf(bool inFile) {
       "Names of the units of length, force and stress: recorded and printed. The numbers of the scene are never converted; materials of "
       "other files are converted to these units.");
   addModelParameters(scene);
+  scene.oneOf(
+      "Motion", "Small", {"Moving", "Small"},
+      "Small: contact pairs are those of the drawn bodies, displacements are small. Moving: with Load Steps, bodies slide and turn far "
+      "while their strains stay small; each step finds its pairs between the present shapes. A Rigid Group drives a body or is its "
+      "hinge.");
   scene.list("Constants", constantsSchema());
   scene.list("Functions", functionsSchema());
   scene.list("Mesh", meshSchema(), inFile);

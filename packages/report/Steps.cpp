@@ -61,6 +61,16 @@ void writeSteps(const std::vector<StepRow>& rows, const std::vector<std::string>
   writeTextFile(path, text);
 }
 
+void writeFrames(const std::vector<StepRow>& rows, const std::vector<std::string>& bodies, const std::string& path) {
+  std::string text = "step,time,body,displacement_x,displacement_y,displacement_z,rotation_x,rotation_y,rotation_z\n";
+  for (const StepRow& row : rows)
+    for (const StepRow::Frame& frame : row.frames)
+      text += format("%d,%.17g,", row.step, row.time) + csvField(bodies[static_cast<std::size_t>(frame.body)]) +
+              format(",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", frame.displacement[0], frame.displacement[1], frame.displacement[2],
+                     frame.rotation[0], frame.rotation[1], frame.rotation[2]);
+  writeTextFile(path, text);
+}
+
 void writeStepFields(const Run& run, const std::vector<StepRow>& rows) {
   const std::filesystem::path folder(run.folder);
   for (const char* kind : kKinds) {

@@ -18,14 +18,23 @@ struct StepRow {
   int active = 0, sticking = 0, slipping = 0;
   int changed = 0;  ///< pairs that opened, closed, stuck or slipped in the step
   double residual = 0.0, energy = 0.0;
-  PathWork work;                  ///< on the path up to the end of the step
-  double seconds = 0.0;           ///< wall-clock time of the step
+  PathWork work;         ///< on the path up to the end of the step
+  double seconds = 0.0;  ///< wall-clock time of the step
+  /// Place of a body that moves far: displacement of its centre [length], rotation vector (in 2D the angle with all turns) [radians].
+  struct Frame {
+    int body = -1;
+    Point displacement{0, 0, 0}, rotation{0, 0, 0};
+  };
+  std::vector<Frame> frames{};    ///< on rank 0, by connected part of the bodies; empty for bodies that do not move far
   std::vector<Point> forceOnB{};  ///< on rank 0: sum of the contact forces on side B of each contact line [force]
 };
 
 /// steps.csv: a header line, then one row per load step: members of StepRow by their names, and the forces of each contact line.
 /// \param contacts  names of the lines. Replaces the file. Local. \throws EnvironmentError
 void writeSteps(const std::vector<StepRow>& rows, const std::vector<std::string>& contacts, const std::string& path);
+
+/// frames.csv: one row per load step and moving body. \param bodies  names. Replaces the file. Local. \throws EnvironmentError
+void writeFrames(const std::vector<StepRow>& rows, const std::vector<std::string>& bodies, const std::string& path);
 
 /// Writes the fields of the last step, replacing those of an earlier run: fields_0000.vtkhdf for the first step, contact_0000.vtkhdf
 /// likewise, and the files fields.vtkhdf.series and contact.vtkhdf.series with their times for ParaView. Collective.

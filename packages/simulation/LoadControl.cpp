@@ -155,8 +155,9 @@ class Search {
       trial_.model.loads[loads_[std::size_t(i)]].setAmount(unknowns[i]);
     }
     if (held_ > 0)
-      trial_.constraints = [&all = scene_.constraints, &supports = supports_, values = Vector(unknowns.tail(held_))](const Mesh& mesh) {
-        Constraints constraints = all(mesh);
+      trial_.constraints = [&all = scene_.constraints, &supports = supports_, values = Vector(unknowns.tail(held_))](
+                               const Mesh& mesh, const ConditionChange& change) {
+        Constraints constraints = all(mesh, change);
         supports.addTo(constraints, values);
         return constraints;
       };

@@ -27,7 +27,8 @@ LoadPath::LoadPath(const Comm& comm, const LoadSteps& steps, const PrescribedPar
   Unpacker(broadcast(comm, packer.bytes())).get(parts_);
 }
 
-void LoadPath::setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) const {
+void LoadPath::setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) {
+  presentTime_ = time;
   const std::vector<double> factors = steps_.at(time);
   for (Load& load : model.loads) {
     const Release* release = releaseOf(load);

@@ -23,7 +23,7 @@ class LoadPath {
 
   /// Sets load factors, rule values, and gaps and histories of the pairs for a step that ends at `time`.
   /// \param constraints  the same data for a method that needs the whole mesh; may be empty. Local.
-  void setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) const;
+  void setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints);
 
   /// Makes a solution the start of the next step. \param pairs  of the solution, on rank 0;  \param forces  acting on each body at its end,
   /// or empty. Collective.
@@ -43,6 +43,8 @@ class LoadPath {
   const LoadSteps& steps() const { return steps_; }
   /// Largest forces on each body over the steps so far; empty if unknown.
   const std::vector<BodyForces>& carried() const { return carried_; }
+  /// Time of the last setTime().
+  double presentTime() const { return presentTime_; }
   double time() const { return rows.empty() ? 0.0 : rows.back().time; }
 
   std::vector<StepRow> rows;        ///< rows of the steps so far
@@ -53,6 +55,7 @@ class LoadPath {
   const Comm& comm_;
   const LoadSteps& steps_;
   PrescribedParts parts_;
+  double presentTime_ = 0.0;
   std::map<int, ContactPair::Past> past_;  // by id, of pairs that have one
   std::vector<BodyForces> carried_;
   std::map<std::string, Release> releases_;  // by the name of the load

@@ -42,7 +42,7 @@ std::string stoppedAfter(double time) { return "stopped on request, after " + ti
 
 }  // namespace
 
-PathFollower::PathFollower(SceneParts& parts, RepeatedSolver& solver, PathState restart)
+PathFollower::PathFollower(SceneParts& parts, StepSolver& solver, PathState restart)
     : parts_(parts), solver_(solver), restart_(std::move(restart)), meter_(*parts.run.commPtr()) {}
 
 /// The verified solution at the time of the path; any failure makes it not converged, with the reason. Parameters as of
@@ -52,7 +52,7 @@ Solution PathFollower::solveStep(const Solution* before, bool isPrepared, double
   brokeDown_ = false;
   try {
     std::vector<Vector> expected;
-    const double part = before ? continues(time) : 0.0;
+    const double part = before && solver_.keepsPairs() ? continues(time) : 0.0;
     for (std::size_t i = 0; part != 0.0 && i < lastChange_.size(); ++i) expected.push_back(before->displacement[i] + part * lastChange_[i]);
     solution = solver_.solve(before, isPrepared, part != 0.0 ? &expected : nullptr);
     solution.sinceTime = parts_.sinceTime();
@@ -107,13 +107,14 @@ void PathFollower::goOnFromStart(Solution& before) {
 /// Accepts a step and writes its row, work, fields and checkpoint.
 void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRow row) {
   const double tolerance = requestedAccuracy(scene().settings(), solution);
-  timed(timers(), "verify", [&] {
-    meter_.add({parts_.cut.meshes, scene().model, solution.displacement, solution.pairs, parts_.cut.whole.pieces, tolerance});
-  });
+  if (solver_.keepsPairs())
+    timed(timers(), "verify", [&] {
+      meter_.add({parts_.cut.meshes, scene().model, solution.displacement, solution.pairs, parts_.cut.whole.pieces, tolerance});
+    });
   row.work = meter_.work();
   row.residual = solution.residual;
   row.energy = solution.energy;
-  row.changed = before ? changedPairs(before->pairs, solution.pairs) : 0;
+  row.changed = before && solver_.keepsPairs() ? changedPairs(before->pairs, solution.pairs) : 0;
   const ContactFigures figures = contactFigures(solution, parts_.size.pieces);
   int states[] = {row.changed, figures.active, figures.friction.sticking, figures.friction.slipping};
   broadcastBytes(comm(), states, sizeof states);
@@ -131,9 +132,12 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
     }
   }
   doubts_.add(solution.verification, ", " + timeText(row.time));
-  solution.verification.checks.push_back(
-      {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
-  path().accept(solution.pairs, solution.verification.forces);
+  if (solver_.keepsPairs())
+    solution.verification.checks.push_back(
+        {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
+  path().accept(solver_.keepsPairs() ? solution.pairs : std::vector<PairResult>(), solution.verification.forces);
+  solver_.accept(solution);
+  row.frames = solver_.frames();
   path().rows.push_back(row);
   if (row.time == scene().settings().sublist("Output").get<double>("Displacements Since")) parts_.reference = solution.displacement;
   for (LeastSafety& one : solution.safety.ofBodies) one.step = row.step, one.time = row.time;
@@ -143,7 +147,9 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
   timed(timers(), "write", [&] {
     if (wantsFields(scene().settings())) writeStepFields(runOf(parts_, solution), path().rows);
     collectivelyOnRoot(comm(), "writing steps.csv", [&] {
-      writeSteps(path().rows, parts_.contactsOfPath(), (std::filesystem::path(parts_.run.folder()) / "steps.csv").string());
+      const std::filesystem::path folder(parts_.run.folder());
+      writeSteps(path().rows, parts_.contactsOfPath(), (folder / "steps.csv").string());
+      if (!row.frames.empty()) writeFrames(path().rows, scene().model.bodies, (folder / "frames.csv").string());
     });
     writeState(parts_, solution);
   });
@@ -179,7 +185,7 @@ Solution PathFollower::follow() {
     row.pcg += solution.pcgTotal + solution.auxiliary.pcg;
     const bool isSolved = solution.isValid();
     const int stop = solution.stopped || monitor().stopRequested();
-    int anyStop = 0, changed = isSolved && hasBefore ? changedWithin(before.pairs, solution.pairs) : 0;
+    int anyStop = 0, changed = isSolved && hasBefore && solver_.keepsPairs() ? changedWithin(before.pairs, solution.pairs) : 0;
     Teuchos::reduceAll(comm(), Teuchos::REDUCE_MAX, stop, Teuchos::outArg(anyStop));
     broadcastBytes(comm(), &changed, sizeof changed);
     const double allowed = scene().laws.restrictSliding() ? scene().steps.largestChange() * parts_.size.pairs : parts_.size.pairs;
@@ -214,13 +220,13 @@ Solution PathFollower::follow() {
     total.otherApplications += solution.otherApplications;
     row = StepRow();
     changedFirst = changedBefore = 0;
-    if (hasBefore && !isLast && begin >= segment && scene().laws.restrictSliding()) {
+    if (hasBefore && !isLast && begin >= segment && scene().laws.restrictSliding() && solver_.keepsPairs()) {
       double planned = predictedLength(before.pairs, solution.pairs, length, std::max(1, static_cast<int>(std::ceil(kPlanned * allowed))));
       broadcastBytes(comm(), &planned, sizeof planned);
       path().length = std::min(path().length, std::max(planned, whole * std::pow(0.5, scene().steps.halvings())));
     }
     lastChange_.clear();
-    for (std::size_t i = 0; hasBefore && i < before.displacement.size(); ++i)
+    for (std::size_t i = 0; hasBefore && solver_.keepsPairs() && i < before.displacement.size(); ++i)
       lastChange_.push_back(solution.displacement[i] - before.displacement[i]);
     lastBegin_ = hasBefore ? begin : -1.0;
     before = std::move(solution);
@@ -237,7 +243,7 @@ Solution PathFollower::follow() {
     result.pcgTotal = total.pcgTotal;
     result.otherApplications = total.otherApplications;
     result.safety.ofBodies = path().safety;
-    path().setTime(path().time(), scene().model, parts_.cut.meshes, parts_.constraints);
+    if (solver_.keepsPairs()) path().setTime(path().time(), scene().model, parts_.cut.meshes, parts_.constraints);
   }
   if (unfinished_.empty() && !result.verification.holds()) result.failure = "the verdict does not hold: " + result.verification.failure();
   if (unfinished_.empty()) return result;

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/answer/Doubts.hpp>
-#include <suture/simulation/RepeatedSolver.hpp>
 #include <suture/simulation/SceneParts.hpp>
+#include <suture/simulation/StepSolver.hpp>
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace suture {
 class PathFollower {
  public:
   /// The first two arguments must outlive it. \param restart  path of a checkpoint whose solution is the start of the solver; empty: none
-  PathFollower(SceneParts& parts, RepeatedSolver& solver, PathState restart);
+  PathFollower(SceneParts& parts, StepSolver& solver, PathState restart);
 
   /// The solution of the last step that was completed. Collective. \throws NumericalError  the first step left no solution
   Solution follow();
@@ -37,7 +37,7 @@ class PathFollower {
   LoadPath& path() const { return *parts_.path; }
 
   SceneParts& parts_;
-  RepeatedSolver& solver_;
+  StepSolver& solver_;
   PathState restart_;
   WorkMeter meter_;
   Doubts doubts_;

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/simulation/SceneParts.hpp>
+#include <suture/simulation/StepSolver.hpp>
 
 #include <memory>
 #include <optional>
@@ -9,22 +10,16 @@ namespace suture {
 
 /// Solves a scene again and again while its loads, prescribed displacements and pair histories change. Factors are kept, except by methods
 /// that cannot reload.
-class RepeatedSolver {
+class RepeatedSolver : public StepSolver {
  public:
   /// Collective. \param parts  must outlive it \param method  prepared \param start  initial guess of the first solution
   RepeatedSolver(SceneParts& parts, std::unique_ptr<Method> method, std::optional<Start> start)
       : parts_(parts), method_(std::move(method)), start_(std::move(start)), inSitu_(inSituForces(parts)) {}
 
-  /// The solution for the present loads. Collective.
-  /// \param before        initial guess; null: the start
-  /// \param isPrepared    the method is prepared for these loads
-  /// \param displacement  better initial displacements of each subdomain than those of `before`; null: none
-  Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr);
-
-  const Method& method() const { return *method_; }
-  /// Hands the method over; no solution afterwards.
-  std::unique_ptr<Method> takeMethod() { return std::move(method_); }
-  const std::optional<Start>& start() const { return start_; }
+  Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr) override;
+  const Method& method() const override { return *method_; }
+  std::unique_ptr<Method> takeMethod() override { return std::move(method_); }
+  const std::optional<Start>& start() const override { return start_; }
 
  private:
   SceneParts& parts_;

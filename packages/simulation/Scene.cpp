@@ -156,6 +156,8 @@ void setLines(Scene& scene, const std::vector<ContactLine>& lines) {
 
 }  // namespace
 
+bool movesFar(const Scene& scene) { return scene.settings().get<std::string>("Motion") == "Moving"; }
+
 std::vector<std::string> Scene::entries() const { return lines.empty() ? contacts : entryNames(lines); }
 
 Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, const std::vector<Condition>& conditions,
@@ -188,8 +190,9 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   for (const Condition& condition : all) named.emplace_back(condition.name, formOf(condition.type).name);
   scene.steps = LoadSteps(scene.settings().sublist("Load Steps"), named, {});
   checkNames(scene, named);
-  scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings()), steps = scene.steps](const Mesh& whole) {
-    return buildConstraints(whole, all, contacts, scales, steps);
+  scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings()), steps = scene.steps](const Mesh& whole,
+                                                                                                       const ConditionChange& change) {
+    return buildConstraints(whole, all, contacts, scales, steps, change);
   };
   requestAccuracy(scene, contacts, supportsAmong(named), curvedGroups(all, contacts));
   return scene;
@@ -211,8 +214,9 @@ Scene sceneOf(const SceneFile& file) {
   checkNames(scene, named);
   if (!scene.lines.empty()) scene.coat = [all](Mesh& mesh) { addCoatings(mesh, all->sublist("Contact")); };
   scene.mesh = [all, folder = file.folder](const Comm& comm) { return readMesh(comm, all->sublist("Mesh"), folder); };
-  scene.constraints = [all, scales = scalesOf(scene.model, *all), steps = scene.steps](const Mesh& mesh) {
-    return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales, steps);
+  scene.constraints = [all, scales = scalesOf(scene.model, *all), steps = scene.steps](const Mesh& mesh, const ConditionChange& change) {
+    return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales, steps,
+                            change);
   };
   for (const SceneFile& level : nestedLevels(file)) {
     scene.levels.push_back(sceneOf(level));

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/constraints/LoadSteps.hpp>
@@ -26,7 +27,7 @@ struct Scene {
   /// Adds the coatings of softened contacts to the mesh with its bodies; on rank 0. Empty: there are none.
   std::function<void(Mesh&)> coat{};
   /// Rules, pairs and pieces of the mesh with its bodies, without contact laws. On rank 0.
-  std::function<Constraints(const Mesh&)> constraints;
+  std::function<Constraints(const Mesh&, const ConditionChange&)> constraints;
   ElasticModel model;
   std::vector<SubdomainKind> kinds;           ///< physics of each body; empty: all elastic
   std::vector<std::string> contacts;          ///< names of the contact lines; the springs of a softened contact are lines of one name
@@ -43,6 +44,9 @@ struct Scene {
   /// Names of the entries of the list `Contact`.
   std::vector<std::string> entries() const;
 };
+
+/// True if the bodies of the scene move far (Motion = Moving).
+bool movesFar(const Scene& scene);
 
 /// Creates the objects of a scene file. Local, the same on all ranks.
 /// \throws InputError  lists all errors in materials, loads and levels of a nested start

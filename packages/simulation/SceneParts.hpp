@@ -17,6 +17,8 @@
 
 namespace suture {
 
+struct DrawnScene;
+
 /// Plan of a scene with phases.
 struct PhasePlan {
   Phases phases;
@@ -49,6 +51,8 @@ struct SceneParts {
   /// With a request for accuracy: the scene as given, and its mesh with the bodies, on rank 0, for the next mesh; else null.
   std::shared_ptr<const Scene> given{};
   std::shared_ptr<const Mesh> whole{};
+  /// With Motion = Moving: the scene as drawn; else null.
+  std::shared_ptr<const DrawnScene> drawn{};
   double megabytes = 0.0;  ///< memory for all ranks, estimated
   double liftWork = 0.0;   ///< work of the loads in the rigid motions removed, missing in the energies of the method
 

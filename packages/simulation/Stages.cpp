@@ -13,10 +13,13 @@
 #include <suture/simulation/ForceIntervals.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
+#include <suture/simulation/MotionCheck.hpp>
+#include <suture/simulation/MovingSolver.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/PathFollower.hpp>
 #include <suture/simulation/PhaseChange.hpp>
 #include <suture/simulation/ReadStage.hpp>
+#include <suture/simulation/RepeatedSolver.hpp>
 #include <suture/simulation/Restart.hpp>
 #include <suture/simulation/SoftenedContacts.hpp>
 #include <suture/simulation/Stages.hpp>
@@ -55,6 +58,7 @@ std::unique_ptr<SceneParts> partsOfPhase(const RunContext& run, std::shared_ptr<
 }  // namespace
 
 MeshedScene read(RunContext run, Scene scene) {
+  checkMotion(scene);
   if (scene.accuracy) run.monitor().beginLevel();
   if (std::shared_ptr<const PhasePlan> plan = planOf(run, scene)) return MeshedScene::of(partsOfPhase(run, std::move(plan), 0));
   return MeshedScene::of(std::make_unique<SceneParts>(std::move(run), std::move(scene)));
@@ -82,6 +86,7 @@ PartitionedScene cut(MeshedScene meshed) {
   const Comm& comm = parts.run.comm();
   parts.cut = timed(parts.run.timers(), "partition", [&] { return cutMesh(comm, parts.scene, parts.mesh, parts.constraints); });
   parts.size = parts.cut.whole.size;
+  if (movesFar(parts.scene)) parts.drawn = std::make_shared<const DrawnScene>(DrawnScene{parts.mesh, parts.constraints, parts.scene.model});
   resolveLoads(comm, parts.cut.meshes, parts.scene.model);
   if (parts.scene.steps.empty()) return result;
   parts.path = std::make_unique<LoadPath>(comm, parts.scene.steps, parts.cut.whole.prescribed);
@@ -143,6 +148,7 @@ void PreparedScene::prepareMethod() {
       return takeOutLift(parts.run.comm(), scene.model, parts.cut.meshes, parts.constraints, !scene.laws.restrictSliding());
     });
   parts.run.monitor().shiftEnergy(-parts.liftWork);
+  if (parts.drawn) return;  // each round prepares its own method
   if (!method_->needsWholeMesh()) forget(parts.mesh, parts.constraints, parts.cut.partition);
   const bool isCoupled = scene.steps.empty() && parts.path;
   const bool changes = parts.followsPath() || isCoupled || !strictBarsOf(scene.settings()).empty();
@@ -183,6 +189,11 @@ void PreparedScene::startFrom(const std::string& restart) {
   SceneParts& parts = *parts_;
   if (!restart.empty() && parts.scene.accuracy)
     throw InputError("--restart", restart + " belongs to one mesh, but Accuracy/Error makes a sequence of meshes; leave out one of them");
+  if (parts.drawn) {
+    if (!restart.empty())
+      throw InputError("--restart", restart + " cannot be used with Motion = Moving: the path begins with the drawn bodies");
+    return;
+  }
   if (!restart.empty() && parts.plan) {
     goOnInPhase(restart);
     return;
@@ -253,7 +264,7 @@ Method::Keep checkpoints(const SceneParts& parts) {
 
 SolvedScene solve(PreparedScene prepared) {
   std::optional<Start> start = std::move(prepared.start_);
-  if (!start && prepared.method_->takesStart()) start = inSituStart(*prepared.parts_);
+  if (!start && !prepared.parts_->drawn && prepared.method_->takesStart()) start = inSituStart(*prepared.parts_);
   PathState restart = std::move(prepared.restart_);
   SolvedScene result(std::move(prepared));
   if (result.parts_->followsPath())
@@ -272,13 +283,17 @@ void SolvedScene::solveAtOnce(const std::optional<Start>& start) {
 void SolvedScene::followPath(std::optional<Start> start, PathState restart) {
   int outer = 0, pcg = 0, other = 0;  // counts of earlier phases
   for (;;) {
-    RepeatedSolver solver(*parts_, std::move(method_), std::move(start));
-    PathFollower follower(*parts_, solver, std::move(restart));
+    std::unique_ptr<StepSolver> solver;
+    if (parts_->drawn)
+      solver = std::make_unique<MovingSolver>(*parts_, parts_->drawn);
+    else
+      solver = std::make_unique<RepeatedSolver>(*parts_, std::move(method_), std::move(start));
+    PathFollower follower(*parts_, *solver, std::move(restart));
     solution_ = follower.follow();
     solution_.iterations += outer;
     solution_.pcgTotal += pcg;
     solution_.otherApplications += other;
-    method_ = solver.takeMethod();
+    method_ = solver->takeMethod();
     doubts_.add(follower.doubts());
     unfinished_ = follower.unfinished();
     if (!unfinished_.empty() || !parts_->plan || parts_->phaseNumber + 1 == parts_->plan->phases.count()) break;

@@ -5,6 +5,7 @@
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 
 namespace suture {
 
@@ -70,6 +71,19 @@ void Decomposition::doReload() {
     for (const auto& subdomain : subdomains_) subdomain->reload();
   });
   problem_->reload();
+}
+
+bool Decomposition::doRearrange() {
+  if (!problem_->rearranges()) return false;
+  int mine = 1, all = 0;
+  collectively(*scene().comm, "loading the subdomains", [&] {
+    for (const auto& subdomain : subdomains_) mine = mine && subdomain->rearrange();
+  });
+  Teuchos::reduceAll(*scene().comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
+  if (all == 0) return false;
+  preconditioner_ = Teuchos::null;
+  problem_->rearrange();
+  return true;
 }
 
 bool Decomposition::knowsFriction(const Parameters& settings) const {

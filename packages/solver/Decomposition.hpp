@@ -25,6 +25,7 @@ class Decomposition : public Method {
   void doFactor() override;
   Solution doSolve(Monitor& monitor, const Start* start, const Keep& keep) override;
   void doReload() override;
+  bool doRearrange() override;
 
  private:
   void addBalancing(const OuterResult& result, Teuchos::RCP<Preconditioner> preconditioner, Solution& solution) const;

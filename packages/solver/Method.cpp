@@ -55,6 +55,11 @@ void Method::reload(Timers& timers) {
   timed(timers, "load", [&] { doReload(); });
 }
 
+bool Method::rearrange(Timers& timers) {
+  if (!isPrepared_) throw InternalError("rearrange() of a method before prepare()");
+  return timed(timers, "load", [&] { return doRearrange(); });
+}
+
 const Subdomains& Method::subdomains() const {
   static const Subdomains none;
   return none;

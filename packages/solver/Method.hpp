@@ -72,6 +72,10 @@ class Method {
   /// solve(). Collective; phase "load".
   void reload(Timers& timers);
 
+  /// Takes over new places and pairs of bodies that move far, from the same objects of the scene; factors are kept. False if the method
+  /// cannot: it must then be made and prepared anew. After solve(). Collective; phase "load".
+  bool rearrange(Timers& timers);
+
   /// Number of unknowns of the interface problem over all ranks; 0 for a method without one. After prepare().
   virtual GlobalId interfaceUnknowns() const { return 0; }
   /// True if it uses a given start; else solve() ignores it. After prepare().
@@ -100,6 +104,7 @@ class Method {
   virtual void doFactor() {}
   virtual Solution doSolve(Monitor& monitor, const Start* start, const Keep& keep) = 0;
   virtual void doReload() {}
+  virtual bool doRearrange() { return false; }
   /// Available in all of these functions.
   const CutScene& scene() const { return *scene_; }
 

@@ -19,19 +19,53 @@ void registerBuiltIns(Registry<Subdomain>& registry) {
                });
 }
 
+namespace {
+
+constexpr double kSameAxes = 1e-9;  // difference of axes, and of coefficients of rigid groups, that is round-off of frames
+
+/// Rotation of a mesh against the drawn one: that which fits its nodes best.
+Matrix turnOf(const SubdomainMesh& mesh) {
+  const int d = mesh.dimension;
+  const Matrix none = Matrix::Identity(d, d);
+  if (mesh.drawn.empty()) return none;
+  const Eigen::Map<const Matrix> now(mesh.coordinates.data(), d, mesh.nodes()), before(mesh.drawn.data(), d, mesh.nodes());
+  const Matrix sums = (now.colwise() - now.rowwise().mean()) * (before.colwise() - before.rowwise().mean()).transpose();
+  const SingularValues parts = singularValues(sums);
+  Matrix turn = parts.u * parts.v.transpose();
+  if (turn.determinant() < 0.0) turn -= 2.0 * parts.u.col(d - 1) * parts.v.col(d - 1).transpose();
+  return (turn - none).norm() < 1e-14 ? none : turn;
+}
+
+std::vector<double> coefficientsOf(const SubdomainMesh& mesh) {
+  std::vector<double> all;
+  for (const RigidGroup& group : mesh.rigidGroups) {
+    all.insert(all.end(), group.masterNodes.begin(), group.masterNodes.end());
+    all.insert(all.end(), group.masterComponents.begin(), group.masterComponents.end());
+    all.insert(all.end(), group.coefficients.begin(), group.coefficients.end());
+  }
+  return all;
+}
+
+void setAxes(const Matrix& q, NodeRule& rule) {
+  for (Eigen::Index row = 0; row < q.rows(); ++row)
+    for (Eigen::Index column = 0; column < q.cols(); ++column)
+      rule.axes[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = q(row, column);
+}
+
+}  // namespace
+
 Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.nodes() * mesh.dimension, 0) {
   const int d = components();
-  for (const NodeRule& rule : mesh.rules) {
-    const Matrix q = axesOf(rule, d);
-    if (!q.isIdentity(0.0)) {
-      axesOfNode_.resize(mesh.nodes(), -1);
-      axesOfNode_[rule.node] = static_cast<int>(axes_.size());
-      axes_.push_back(q);
-    }
+  takeAxes();
+  for (const NodeRule& rule : mesh.rules)
     for (int k = 0; k < d; ++k)
       if (rule.fixed[k]) numberOf_[rule.node * d + k] = -1;
-  }
   takePrescribed();
+  if (!mesh.drawn.empty()) {
+    rules_ = mesh.rules;
+    followers_ = coefficientsOf(mesh);
+    for (NodeRule& rule : rules_) setAxes(onDrawn(rule), rule);
+  }
   for (std::size_t i = 0; i < numberOf_.size(); ++i) {
     if (numberOf_[i] < 0) {
       fixed_.push_back(static_cast<int>(i));
@@ -41,6 +75,43 @@ Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.no
     }
   }
   if (!mesh.rigidGroups.empty()) expandRigidGroups();
+}
+
+void Subdomain::takeAxes() {
+  const int d = components();
+  turn_ = turnOf(mesh_);
+  axesOfNode_.clear(), axes_.clear();
+  if (!turn_.isIdentity(0.0)) {
+    axesOfNode_.assign(mesh_.nodes(), 0);
+    axes_.push_back(turn_.transpose());
+  }
+  for (const NodeRule& rule : mesh_.rules) {
+    const Matrix q = axesOf(rule, d);
+    if (axes_.empty() && q.isIdentity(0.0)) continue;
+    axesOfNode_.resize(mesh_.nodes(), -1);
+    axesOfNode_[rule.node] = static_cast<int>(axes_.size());
+    axes_.push_back(q);
+  }
+}
+
+/// Axes of a rule, turned back into the drawn body.
+Matrix Subdomain::onDrawn(const NodeRule& rule) const { return axesOf(rule, components()) * turn_; }
+
+bool Subdomain::rearrange() {
+  takeAxes();
+  if (mesh_.rules.size() != rules_.size()) return false;
+  for (std::size_t r = 0; r < rules_.size(); ++r) {
+    const NodeRule& rule = mesh_.rules[r];
+    if (rule.node != rules_[r].node || rule.fixed != rules_[r].fixed) return false;
+    if ((onDrawn(rule) - axesOf(rules_[r], components())).cwiseAbs().maxCoeff() > kSameAxes) return false;
+  }
+  const std::vector<double> followers = coefficientsOf(mesh_);
+  if (followers.size() != followers_.size()) return false;
+  for (std::size_t i = 0; i < followers.size(); ++i)
+    if (std::abs(followers[i] - followers_[i]) > kSameAxes) return false;
+  reload();
+  findFreeMotions();
+  return true;
 }
 
 void Subdomain::expandRigidGroups() {
@@ -132,7 +203,10 @@ void Subdomain::assemble() {
     }
 
   liftLoad();
+  findFreeMotions();
+}
 
+void Subdomain::findFreeMotions() {
   const Matrix modes = doRigidModes(), onSprings = springModes(modes);
   heldModes_ = Matrix(onSprings.rows() + Eigen::Index(fixed_.size()), modes.cols());
   const Matrix atFree = rowsAt(modes, free_);

@@ -13,7 +13,8 @@ namespace suture {
 
 /// Physics of one subdomain, made by name: `Bodies/<name>/Subdomain`. A user implements doAssemble(), doRigidModes() and doStresses(); this
 /// base class numbers unknowns, eliminates prescribed components and finds the kernel. Unknowns are the components of nodal displacements
-/// in the axes of the node (Cartesian, or those of its NodeRule). All functions are local; the mesh must outlive the subdomain.
+/// in the axes of the node (those of its NodeRule, else those of the drawn body, turned with it: Cartesian for bodies that stay). All
+/// functions are local; the mesh must outlive the subdomain.
 class Subdomain {
  public:
   static const char* kind() { return "subdomain"; }
@@ -29,6 +30,10 @@ class Subdomain {
   void assemble();
   /// Reads the current loads of the model and the current values of the mesh's rules; the stiffness is unchanged. After assemble().
   void reload();
+  /// reload() for a mesh that rules, pairs and a rigid motion of its body have changed since assemble(): the stiffness is unchanged in axes
+  /// that turn with the body. False: it is not, because axes of prescribed components do not turn with it or other components are
+  /// prescribed; the subdomain must then be made anew.
+  bool rearrange();
   /// Number of times that reload() changed load(): results that depend on the load stay valid while this number is unchanged.
   int loadChanges() const { return loadChanges_; }
 
@@ -99,6 +104,9 @@ class Subdomain {
   SparseMatrix assembled(const std::function<void(const std::function<void(int element, ConstLocalView stiffness)>& take)>& elements) const;
 
  private:
+  void takeAxes();
+  Matrix onDrawn(const NodeRule& rule) const;
+  void findFreeMotions();
   void takePrescribed();
   void expandRigidGroups();
   Matrix idleMasters() const;
@@ -113,7 +121,10 @@ class Subdomain {
   std::vector<int> numberOf_, free_, fixed_;
   std::vector<int> axesOfNode_;  // empty if all axes are Cartesian
   std::vector<Matrix> axes_;
-  Vector prescribed_;  // all unknowns; zero where free
+  Matrix turn_;                    // rotation of the body since it was drawn
+  std::vector<NodeRule> rules_;    // with which the stiffness was assembled, their axes turned back into the drawn body; with motion only
+  std::vector<double> followers_;  // coefficients of rigid groups; likewise
+  Vector prescribed_;              // all unknowns; zero where free
   SymmetricMatrix stiffness_;
   SparseMatrix held_;       // all unknowns x prescribed components
   SparseMatrix expansion_;  // all unknowns x free ones; no rows if there are no rigid groups: each unknown is free or prescribed

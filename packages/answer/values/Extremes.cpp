@@ -86,7 +86,7 @@ void searchDisplacements(const SubdomainMesh& mesh, const Vector& u, Search& sea
   for (int node = 0; node < nodes; ++node) {
     double squared = 0.0;
     for (int k = 0; k < mesh.dimension; ++k) {
-      const double component = mesh.total(u, Eigen::Index(node) * mesh.dimension + k);
+      const double component = mesh.fromDrawn(u, Eigen::Index(node) * mesh.dimension + k);
       squared += component * component;
     }
     search.displacement(std::sqrt(squared), mesh.body, mesh.globalNodes[node], [&] { return mesh.point(node); });

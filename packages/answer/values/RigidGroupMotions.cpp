@@ -18,6 +18,7 @@ struct Member {
   bool axisymmetric = false;
   GlobalId node = -1;
   Point point{0, 0, 0}, place{0, 0, 0}, moved{0, 0, 0};
+  Point shifted{0, 0, 0}, turned{0, 0, 0};  // RigidGroup::moved, turned
 };
 
 RigidGroupMotion motionOf(const std::vector<Member>& nodes) {
@@ -45,6 +46,10 @@ RigidGroupMotion motionOf(const std::vector<Member>& nodes) {
   splitAmplitudes(found, dimension, shift, turn);
   all.rotation = scaled(1.0 / frame.radius, turn);
   all.displacement = rigidDisplacement(shift, all.rotation, minus(all.point, frame.centre));
+  // Beside the motion of the mesh from the drawn body, which a solution leaves only a small rest of.
+  all.point = minus(all.point, nodes.front().shifted);
+  all.displacement = plus(all.displacement, nodes.front().shifted);
+  all.rotation = plus(all.rotation, nodes.front().turned);
   return all;
 }
 
@@ -64,6 +69,8 @@ std::vector<RigidGroupMotion> rigidGroupMotions(const Comm& comm, const std::vec
         one.axisymmetric = mesh.axisymmetric;
         one.node = mesh.globalNodes[static_cast<std::size_t>(node)];
         one.point = group.point;
+        one.shifted = group.moved;
+        one.turned = group.turned;
         one.place = mesh.point(node);
         for (int k = 0; k < mesh.dimension; ++k)
           one.moved[static_cast<std::size_t>(k)] = mesh.total(displacement[s], Eigen::Index(node) * mesh.dimension + k);

@@ -95,9 +95,13 @@ Matrix sumsAtMasters(const SubdomainMesh& mesh, const Matrix& nodes) {
   for (const RigidGroup& group : mesh.rigidGroups)
     for (const int node : group.nodes)
       for (int k = 0; k < mesh.dimension; ++k) {
-        const double rest = nodes(rows.applied() + k, node) + nodes(rows.contact() + k, node) - nodes(rows.internal() + k, node);
+        double rest = 0.0;
+        for (int c = 0; c < mesh.dimension; ++c)
+          rest += group.axes[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)] *
+                  (nodes(rows.applied() + c, node) + nodes(rows.contact() + c, node) - nodes(rows.internal() + c, node));
         rigid.forEachMaster(node, k, [&](int master, int component, double coefficient) {
-          all(sums.rest() + component, master) += coefficient * rest;
+          for (int c = 0; c < mesh.dimension; ++c)
+            all(sums.rest() + c, master) += coefficient * rest * rigid.axis(master, component)[static_cast<std::size_t>(c)];
           all(sums.rounding(), master) += std::abs(coefficient) * nodes(rows.rounding(), node);
           all(sums.stiffness(), master) += coefficient * coefficient * nodes(rows.stiffness(), node);
         });

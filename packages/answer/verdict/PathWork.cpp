@@ -7,6 +7,8 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace suture {
 
@@ -35,7 +37,8 @@ WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
       const auto sums = forces.nodes[i].col(node);
       const Vector internal = sums.segment(rows.internal(), d), applied = sums.segment(rows.applied(), d),
                    lacking = internal - applied - sums.segment(rows.contact(), d);
-      moved.col(node) = u.col(node);
+      for (int k = 0; k < d; ++k)
+        moved(k, node) = mesh.drawn.empty() ? u(k, node) : mesh.fromDrawn(answer.displacement[i], Eigen::Index(node) * d + k);
       force.col(node) = applied;
       stored += 0.5 * internal.dot(u.col(node));
       const NodeRule* rule = ruleOf[node];
@@ -69,19 +72,17 @@ void WorkMeter::add(const Answer& answer) {
                  force = first ? now.force[i] : Matrix(now.force[i] + before_.force[i]);
     mine[0] += 0.5 * force.cwiseProduct(moved).sum();
   }
-  for (std::size_t p = 0; p < now.pairs.size(); ++p) {
-    const PairResult& pair = now.pairs[p];
-    double force = pair.force, closed = pair.initialGap - pair.gap;
-    Point tangential = pair.tangential, slip = pair.slip;
-    if (!before_.pairs.empty()) {
-      const PairResult& last = before_.pairs[p];
-      force += last.force;
-      closed -= last.initialGap - last.gap;
-      tangential = plus(tangential, last.tangential);
-      slip = minus(slip, last.slip);
-    }
+  // Bodies that move far have other pairs in every step: pairs of the same node continue each other.
+  std::map<std::pair<int, GlobalId>, const PairResult*> before;
+  for (const PairResult& pair : before_.pairs) before[{pair.line, pair.node}] = &pair;
+  for (const PairResult& pair : now.pairs) {
+    const auto last = before.find({pair.line, pair.node});
+    const bool continues = last != before.end();
+    const double force = pair.force + (continues ? last->second->force : 0.0),
+                 closed = (continues ? last->second->gap : pair.initialGap) - pair.gap;
+    const Point tangential = continues ? plus(pair.tangential, last->second->tangential) : pair.tangential;
     mine[1] += 0.5 * force * closed;
-    mine[2] += 0.5 * dot(tangential, slip);
+    mine[2] += 0.5 * dot(tangential, pair.stepSlip());
   }
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, 3, mine, all);
   work_.external += all[0];

@@ -286,7 +286,7 @@ void Verifier::judgeNodes() {
         if (!rule->fixed[k]) continue;
         double apart = dot(rule->axes[k], u) - rule->value[k], size = length(u) + std::abs(rule->value[k]);
         rigid_[i].forEachMaster(node, k, [&](int master, int component, double coefficient) {
-          const double follows = coefficient * moved(int(i), master)[std::size_t(component)];
+          const double follows = coefficient * dot(rigid_[i].axis(master, component), moved(int(i), master));
           apart -= follows;
           size += std::abs(follows);
         });

@@ -93,7 +93,7 @@ void judgeRules(const SubdomainMesh& mesh, Findings& findings) {
       const double before = mesh.lift.values.at(r)[k];
       double size = length(motion) + std::abs(before), along = dot(rule.axes[k], motion);
       rigid.forEachMaster(rule.node, k, [&](int node, int component, double coefficient) {
-        const double follows = coefficient * motionOf(mesh, node)[std::size_t(component)];
+        const double follows = coefficient * dot(rigid.axis(node, component), motionOf(mesh, node));
         along -= follows;
         size += std::abs(follows);
       });

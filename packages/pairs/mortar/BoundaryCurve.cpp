@@ -63,7 +63,7 @@ BoundaryCurve::BoundaryCurve(const Surface& surface) {
   std::vector<Point> chords;
   for (int side = 0; side < surface.sides(); ++side) {
     const std::vector<int>& nodes = surface.nodesOf(side);
-    chords.push_back(minus(surface.at(nodes[1]).position, surface.at(nodes[0]).position));
+    chords.push_back(minus(surface.at(nodes[1]).drawn, surface.at(nodes[0]).drawn));
   }
   const auto before = [&](int side) { return side < 0 ? -1 : surface.across(side, 0).side; };
   const auto after = [&](int side) { return side < 0 ? -1 : surface.across(side, 1).side; };

@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// Curvature of the smooth curve on which the end points of straight sides lie. 2D; positive where the body is convex.
+/// Curvature of the smooth curve on which the end points of straight sides of the drawn bodies lie. 2D; positive where the body is convex.
 ///
 /// The curvature at a node between the chords u and v is that of the circle through the node and its two neighbours, 2 (u x v) / (|u| |v|
 /// |u + v|): exact for arcs, exactly zero on straight lines. Along a side it is linear between the ends where the curvature varies

@@ -20,7 +20,7 @@ class Division {
   Division(const Surface& surface, const std::vector<int>& groupOf) : surface_(surface), groupOf_(groupOf) {
     for (int side = 0; side < surface.sides(); ++side) {
       std::vector<Point> p;
-      for (const int node : surface.nodesOf(side)) p.push_back(surface.at(node).position), sidesAt_[node].push_back(side);
+      for (const int node : surface.nodesOf(side)) p.push_back(surface.at(node).drawn), sidesAt_[node].push_back(side);
       const bool isTriangle = p.size() == 3;
       const Point area = cross(minus(p[isTriangle ? 1 : 2], p[0]), minus(p[isTriangle ? 2 : 3], p[isTriangle ? 0 : 1]));
       normals_.push_back(unit(area));

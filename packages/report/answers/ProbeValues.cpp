@@ -62,7 +62,7 @@ class Values {
       if (weights[a] == 0.0) continue;
       row.place = plus(row.place, scaled(weights[a], mesh.point(nodes[a])));
       for (int k = 0; k < mesh.dimension; ++k)
-        row.displacement[k] += weights[a] * mesh.total(run_.solution.displacement[m], Eigen::Index(nodes[a]) * mesh.dimension + k);
+        row.displacement[k] += weights[a] * mesh.fromDrawn(run_.solution.displacement[m], Eigen::Index(nodes[a]) * mesh.dimension + k);
       for (Eigen::Index k = 0; recovered && k < nodal_[m].cols(); ++k) row.stress[std::size_t(k)] += weights[a] * nodal_[m](nodes[a], k);
     }
     return row;

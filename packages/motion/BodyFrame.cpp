@@ -1,0 +1,52 @@
+#include <suture/base/Point.hpp>
+#include <suture/motion/BodyFrame.hpp>
+
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+Eigen::Vector3d vectorOf(const Point& p) { return {p[0], p[1], p[2]}; }
+Point pointOf(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+Eigen::Quaterniond rotationBy(const Point& vector) {
+  const double half = 0.5 * norm(vector);
+  // sin(h) / (2 h) -> 1/2 - h^2 / 12: the next term is below round-off.
+  const double factor = half < 1e-4 ? 0.5 - half * half / 12.0 : 0.5 * std::sin(half) / half;
+  return Eigen::Quaterniond(std::cos(half), factor * vector[0], factor * vector[1], factor * vector[2]);
+}
+
+Point rotationVector(const Eigen::Quaterniond& rotation) {
+  const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;  // q and -q are the same rotation
+  const double sine = rotation.vec().norm(), half = std::atan2(sine, sign * rotation.w());
+  return scaled(sine > 0.0 ? sign * 2.0 * half / sine : 2.0, pointOf(rotation.vec()));
+}
+
+Point BodyFrame::at(const Point& drawn) const { return plus(place_, turn(minus(drawn, centre_))); }
+
+Point BodyFrame::turn(const Point& vector) const {
+  Point turned = pointOf(turned_ * vectorOf(vector));
+  if (onlyAboutZ_) turned[2] = vector[2];
+  return turned;
+}
+
+Point BodyFrame::turnBack(const Point& vector) const {
+  Point turned = pointOf(turned_.conjugate() * vectorOf(vector));
+  if (onlyAboutZ_) turned[2] = vector[2];
+  return turned;
+}
+
+void BodyFrame::move(const Point& shift, const Point& rotation, const Point& about) {
+  const Eigen::Quaterniond by = rotationBy(rotation);
+  place_ = plus(plus(about, shift), pointOf(by * vectorOf(minus(place_, about))));
+  turned_ = (by * turned_).normalized();
+  onlyAboutZ_ = onlyAboutZ_ && rotation[0] == 0.0 && rotation[1] == 0.0;
+  angle_ += rotation[2];
+}
+
+Point BodyFrame::rotation() const { return onlyAboutZ_ ? Point{0, 0, angle_} : rotationVector(turned_); }
+
+}  // namespace suture

@@ -1,0 +1,43 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <Eigen/Geometry>
+
+namespace suture {
+
+/// Place of a body that moves far while its strains stay small: x = place + R (X - centre) for a point X of the drawn body, with a rotation
+/// R. Displacements in the body are measured from there. Local.
+class BodyFrame {
+ public:
+  BodyFrame() = default;
+  /// Where the body is drawn. \param centre  any point, best the centre of the body
+  explicit BodyFrame(const Point& centre) : centre_(centre), place_(centre) {}
+
+  /// Present place of a drawn point.
+  Point at(const Point& drawn) const;
+  /// R v
+  Point turn(const Point& vector) const;
+  /// R^T v
+  Point turnBack(const Point& vector) const;
+  /// Moves on: turns by a rotation vector about a point of space, then shifts. The motion is finite: exp(rotation).
+  void move(const Point& shift, const Point& rotation, const Point& about);
+
+  const Point& centre() const { return centre_; }
+  /// Place of the centre.
+  const Point& place() const { return place_; }
+  /// Rotation vector [radians]. About z alone, as in 2D, the angle counts all turns; otherwise it is at most pi.
+  Point rotation() const;
+
+ private:
+  Point centre_{0, 0, 0}, place_{0, 0, 0};
+  Eigen::Quaterniond turned_ = Eigen::Quaterniond::Identity();
+  double angle_ = 0.0;  // about z, with all turns
+  bool onlyAboutZ_ = true;
+};
+
+/// Unit quaternion of a rotation vector.
+Eigen::Quaterniond rotationBy(const Point& vector);
+/// Rotation vector of a unit quaternion; its length is at most pi.
+Point rotationVector(const Eigen::Quaterniond& rotation);
+
+}  // namespace suture

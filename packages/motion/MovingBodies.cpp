@@ -1,0 +1,136 @@
+#include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/base/RigidFrame.hpp>
+#include <suture/base/RigidValues.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/motion/MovingBodies.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+constexpr double kSpread = 1e-6;  // least extent of gauge nodes across their longest extent, relative, that determines a rotation
+
+/// True if the motions of nodes determine the rigid motion of their body.
+bool determine(const Mesh& mesh, const std::vector<int>& nodes) {
+  std::vector<Point> points;
+  for (const int node : nodes) points.push_back(mesh.point(node));
+  const RigidFrame frame = RigidFrame::around(points);
+  Matrix sums = Matrix::Zero(rigidMotions(mesh.dimension), rigidMotions(mesh.dimension));
+  for (const Point& point : points) {
+    const Matrix own = frame.at(point, mesh.dimension);
+    sums += own.transpose() * own;
+  }
+  const Vector values = singularValues(sums).values;
+  return values.size() > 0 && values[values.size() - 1] > kSpread * kSpread * values[0];
+}
+
+}  // namespace
+
+MovingBodies::MovingBodies(const Mesh& drawn, const Constraints& constraints) : drawn_(&drawn) {
+  const RigidParts rigid = freeRigidMotions(drawn, constraints);
+  partOf_ = rigid.partOfNode;
+  const std::size_t parts = rigid.parts.size();
+  std::vector<double> weight(static_cast<std::size_t>(drawn.nodes()), 0.0);
+  for (int e = 0; e < drawn.elements(); ++e)
+    for (const int node : drawn.nodesOf(e))
+      weight[static_cast<std::size_t>(node)] += std::abs(signedSize(drawn, e)) / drawn.nodesOf(e).size();
+  std::vector<Gauge> all(parts), held(parts), grouped(parts);
+  for (int node = 0; node < drawn.nodes(); ++node) {
+    if (partOf_[static_cast<std::size_t>(node)] < 0) continue;
+    Gauge& gauge = all[static_cast<std::size_t>(partOf(node))];
+    gauge.nodes.push_back(node), gauge.weights.push_back(weight[static_cast<std::size_t>(node)]);
+  }
+  const RigidGroupNodes inGroups(constraints.rigidGroups, drawn.dimension);
+  for (const NodeRule& rule : constraints.rules) {
+    const auto last = rule.fixed.begin() + drawn.dimension;
+    if (inGroups.contains(rule.node) || std::find(rule.fixed.begin(), last, false) != last) continue;
+    Gauge& gauge = held[static_cast<std::size_t>(partOf(rule.node))];
+    gauge.nodes.push_back(rule.node), gauge.weights.push_back(1.0);
+  }
+  for (const RigidGroup& group : constraints.rigidGroups) {
+    Gauge& gauge = grouped[static_cast<std::size_t>(partOf(group.nodes.front()))];
+    gauge.nodes = group.nodes;
+    gauge.weights.assign(group.nodes.size(), 1.0);
+  }
+  for (std::size_t p = 0; p < parts; ++p) {
+    for (const Gauge* one : {&grouped[p], &held[p], &all[p]})
+      if (!one->nodes.empty() && (one == &all[p] || determine(drawn, one->nodes))) {
+        gauges_.push_back(*one);
+        break;
+      }
+    frames_.emplace_back(rigid.parts[p].centre);
+    bodies_.push_back(rigid.parts[p].body);
+  }
+  beside_ = Vector::Zero(Eigen::Index(drawn.coordinates.size()));
+}
+
+Vector MovingBodies::placement() const {
+  const int d = drawn_->dimension;
+  Vector all = Vector::Zero(beside_.size());
+  for (int node = 0; node < drawn_->nodes(); ++node) {
+    if (partOf(node) < 0) continue;
+    const Point x = drawn_->point(node), moved = minus(frameOf(node).at(x), x);
+    for (int k = 0; k < d; ++k) all[Eigen::Index(node) * d + k] = moved[static_cast<std::size_t>(k)];
+  }
+  return all;
+}
+
+Mesh MovingBodies::meshAt(const Vector& displacement) const {
+  Mesh mesh = *drawn_;
+  mesh.drawn = drawn_->coordinates;
+  for (std::size_t i = 0; i < mesh.coordinates.size(); ++i) mesh.coordinates[i] += displacement[Eigen::Index(i)];
+  return mesh;
+}
+
+Mesh MovingBodies::placed() const { return meshAt(placement()); }
+Mesh MovingBodies::present() const { return meshAt(placement() + beside_); }
+
+void MovingBodies::absorb(const Vector& displacement) {
+  const int d = drawn_->dimension;
+  const auto at = [&](const Vector& values, int node) { return pointOf(values.data() + Eigen::Index(node) * d, d); };
+  std::vector<Point> centres(frames_.size()), shifts(frames_.size()), turns(frames_.size());
+  const std::vector<BodyFrame> before = frames_;
+  for (std::size_t p = 0; p < frames_.size(); ++p) {
+    const Gauge& gauge = gauges_[p];
+    double sum = 0.0;
+    Point centre{0, 0, 0}, shift{0, 0, 0};
+    for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
+      sum += gauge.weights[i];
+      centre = plus(centre, scaled(gauge.weights[i], before[p].at(drawn_->point(gauge.nodes[i]))));
+      shift = plus(shift, scaled(gauge.weights[i], at(displacement, gauge.nodes[i])));
+    }
+    centre = scaled(1.0 / sum, centre), shift = scaled(1.0 / sum, shift);
+    Matrix inertia = Matrix::Zero(3, 3);
+    Point spin{0, 0, 0};
+    for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
+      const Point arm = minus(before[p].at(drawn_->point(gauge.nodes[i])), centre);
+      const Eigen::Map<const Eigen::Vector3d> r(arm.data());
+      inertia += gauge.weights[i] * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+      spin = plus(spin, scaled(gauge.weights[i], cross(arm, minus(at(displacement, gauge.nodes[i]), shift))));
+    }
+    Point turn{0, 0, 0};
+    if (d == 2) {
+      turn[2] = spin[2] / inertia(2, 2);
+    } else {
+      const Vector solved = leastSquares(inertia, Eigen::Map<const Vector>(spin.data(), 3));
+      std::copy(solved.begin(), solved.end(), turn.begin());
+    }
+    centres[p] = centre, shifts[p] = shift, turns[p] = turn;
+    frames_[p].move(shift, turn, centre);
+  }
+  for (int node = 0; node < drawn_->nodes(); ++node) {
+    const int part = partOf(node);
+    if (part < 0) continue;
+    const auto p = static_cast<std::size_t>(part);
+    const Point arm = minus(before[p].at(drawn_->point(node)), centres[p]);
+    const Point rest = minus(minus(at(displacement, node), shifts[p]), cross(turns[p], arm));
+    const Eigen::Vector3d turned = rotationBy(turns[p]) * Eigen::Map<const Eigen::Vector3d>(rest.data());
+    for (int k = 0; k < d; ++k) beside_[Eigen::Index(node) * d + k] = turned[k];
+  }
+}
+
+}  // namespace suture

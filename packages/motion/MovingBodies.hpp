@@ -1,0 +1,54 @@
+#pragma once
+#include <suture/constraints/Constraints.hpp>
+#include <suture/mesh/Mesh.hpp>
+#include <suture/motion/BodyFrame.hpp>
+#include <suture/motion/RigidMotion.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// Bodies of a scene that move far while their strains stay small: a frame and the displacements beside it for each connected part of a
+/// body. A solution is linear in the displacements from the placed mesh; absorb() makes its rigid motion a finite one. Local (rank 0).
+class MovingBodies {
+ public:
+  MovingBodies() = default;
+  /// \param drawn  must outlive it \param constraints  of the drawn mesh: its rigid groups and fixed nodes determine the frames of their
+  /// parts
+  MovingBodies(const Mesh& drawn, const Constraints& constraints);
+
+  /// The mesh at the frames, without strain.
+  Mesh placed() const;
+  /// The mesh in its present shape.
+  Mesh present() const;
+  /// Displacements from the drawn to the placed mesh: node-major [length].
+  Vector placement() const;
+  /// Displacements from the placed to the present mesh: node-major [length].
+  const Vector& beside() const { return beside_; }
+
+  /// Frame of the part of a node.
+  const BodyFrame& frameOf(int node) const { return frames_[static_cast<std::size_t>(partOf_[static_cast<std::size_t>(node)])]; }
+  const std::vector<BodyFrame>& frames() const { return frames_; }
+  /// Body of each part.
+  const std::vector<int>& bodies() const { return bodies_; }
+  int partOf(int node) const { return partOf_[static_cast<std::size_t>(node)]; }
+
+  /// Makes the displacements of a solution, from the placed mesh, the present ones, and their rigid parts finite motions of the frames.
+  void absorb(const Vector& displacement);
+
+ private:
+  /// Nodes whose motion is that of the frame, with weights.
+  struct Gauge {
+    std::vector<int> nodes;
+    std::vector<double> weights;
+  };
+  Mesh meshAt(const Vector& displacement) const;
+
+  const Mesh* drawn_ = nullptr;
+  std::vector<int> partOf_, bodies_;
+  std::vector<Gauge> gauges_;
+  std::vector<BodyFrame> frames_;
+  Vector beside_;
+};
+
+}  // namespace suture

@@ -1,0 +1,46 @@
+#include <suture/base/Errors.hpp>
+#include <suture/report/AccuracyRequest.hpp>
+#include <suture/simulation/CutStage.hpp>
+#include <suture/simulation/LoadControl.hpp>
+#include <suture/simulation/MotionCheck.hpp>
+#include <suture/simulation/Phases.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace suture {
+
+void checkMotion(const Scene& scene) {
+  if (!movesFar(scene)) return;
+  Problems problems;
+  const auto refuse = [&](bool found, const std::string& path, const std::string& why) {
+    if (found) problems.add(path, "with Motion = Moving " + why);
+  };
+  const Parameters& settings = scene.settings();
+  refuse(scene.steps.empty(), "Load Steps/Times", "is needed: the motion is a path of load steps; expected for instance {1, 2, 3}");
+  refuse(scene.model.axisymmetric, "Model", "bodies of revolution are not supported; expected Plane Strain, Plane Stress or Solid");
+  refuse(scene.accuracy.has_value(), "Accuracy/Error", "is not supported: choose the mesh, and Output/Error Estimate");
+  refuse(hasControlledLoads(scene), "Boundary Conditions", "Mean Displacement and Preload are not supported; use a Rigid Group or a Force");
+  refuse(!scene.lines.empty(), "Contact", "Pressure Overclosure is not supported");
+  refuse(isCut(scene), "Partition/Type", "a partitioned mesh is not supported: each step makes its own contact pairs");
+  refuse(settings.get<std::string>("Formulation") != "Contact On The Interface", "Formulation",
+         "expected Contact On The Interface, or Outer Solver/Type = Monolithic");
+  refuse(!scene.levels.empty(), "Outer Solver/Start", "Nested is not supported");
+  refuse(settings.sublist("Output").get<bool>("Error Bound"), "Output/Error Bound", "is not supported");
+  refuse(!Phases(scene).empty(), "Load Steps", "bodies cannot be removed or placed");
+  for (const ElasticSupport& support : scene.model.supports)
+    refuse(true, "Boundary Conditions/" + support.name,
+           "an Elastic Support is not supported: its springs would turn with the body; use a Displacement, a Rigid Group or a Force");
+  for (const Load& load : scene.model.loads)
+    refuse(load.kind == Load::Kind::InitialStress || load.kind == Load::Kind::InitialStrain, load.path,
+           "initial strains and stresses are not supported, except by Temperature: their axes would turn with the body");
+  for (const std::vector<Material>* materials : {&scene.model.materialOfBody, &scene.model.materialOfRegion})
+    for (const Material& material : *materials)
+      refuse(material.law != nullptr, "Materials/" + material.name + "/Type",
+             "expected Isotropic: the axes of another law would turn with the body");
+  for (std::size_t body = 0; body < scene.kinds.size(); ++body)
+    refuse(static_cast<bool>(scene.kinds[body].make) && scene.kinds[body].name != "Elastic",
+           "Bodies/" + scene.model.bodies[body] + "/Subdomain", "expected Elastic");
+  problems.throwIfAny();
+}
+
+}  // namespace suture

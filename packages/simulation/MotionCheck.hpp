@@ -1,0 +1,10 @@
+#pragma once
+#include <suture/simulation/Scene.hpp>
+
+namespace suture {
+
+/// Refuses what a scene whose bodies move far cannot have. Local; nothing for other scenes. \throws InputError  lists all of it, with
+/// advice
+void checkMotion(const Scene& scene);
+
+}  // namespace suture

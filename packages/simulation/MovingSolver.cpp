@@ -1,0 +1,213 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/elasticity/loads/ResolveLoads.hpp>
+#include <suture/simulation/MovingSolver.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+// The change of shape of a round is of second order in the motion of the round before. Below this fraction of the largest displacement
+// beside the frames it changes forces by less than the default tolerances of the verdict.
+constexpr double kSettled = 1e-6;
+constexpr double kRoundOff = 1e-13;  // of the extent of the scene: bodies without strain
+constexpr int kMostRounds = 40;      // conforming contacts, whose gap is of the order of the displacements, need up to 27
+
+struct ValueAt {
+  GlobalId node;
+  Point value;
+};
+
+/// Values of all nodes, node-major; on rank 0. Collective.
+Vector gatherNodes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& values, int nodes,
+                   int dimension) {
+  std::vector<ValueAt> mine;
+  for (std::size_t s = 0; s < meshes.size(); ++s)
+    for (int node = 0; node < meshes[s].nodes(); ++node)
+      if (counts(meshes[s], node))
+        mine.push_back({meshes[s].globalNodes[static_cast<std::size_t>(node)],
+                        pointOf(values[s].data() + Eigen::Index(node) * meshes[s].dimension, meshes[s].dimension)});
+  Vector all = Vector::Zero(Eigen::Index(nodes) * dimension);
+  for (const ValueAt& one : joinOnRoot(comm, mine))
+    for (int k = 0; k < dimension; ++k) all[Eigen::Index(one.node) * dimension + k] = one.value[static_cast<std::size_t>(k)];
+  return all;
+}
+
+/// Values of the nodes of each mesh. \param whole  on rank 0. Collective.
+std::vector<Vector> scatterNodes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Vector& whole) {
+  std::vector<double> all(whole.begin(), whole.end());
+  broadcast(comm, all);
+  std::vector<Vector> values;
+  for (const SubdomainMesh& mesh : meshes) {
+    const int d = mesh.dimension;
+    Vector own(Eigen::Index(mesh.nodes()) * d);
+    for (int node = 0; node < mesh.nodes(); ++node)
+      for (int k = 0; k < d; ++k)
+        own[Eigen::Index(node) * d + k] = all[static_cast<std::size_t>(mesh.globalNodes[static_cast<std::size_t>(node)] * d + k)];
+    values.push_back(std::move(own));
+  }
+  return values;
+}
+
+double extentOf(const Mesh& mesh) {
+  double most = 0.0;
+  for (const double x : mesh.coordinates) most = std::max(most, std::abs(x));
+  return most;
+}
+
+}  // namespace
+
+MovingSolver::MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> drawn)
+    : parts_(parts), drawn_(std::move(drawn)), resolved_(parts.scene.model) {
+  collectivelyOnRoot(comm(), "placing the bodies", [&] {
+    constraints_ = std::make_unique<const MovingConstraints>(parts_.scene, drawn_->mesh, drawn_->constraints);
+    accepted_.bodies = MovingBodies(drawn_->mesh, drawn_->constraints);
+  });
+}
+
+/// Loads at the present places: moments and forces of groups follow from the placed mesh, points of rigid groups move, and forces at points
+/// stay at their nodes.
+void MovingSolver::placeLoads(double time) {
+  ElasticModel& model = parts_.scene.model;
+  model.loads = drawn_->model.loads;
+  std::vector<Point> places;
+  for (std::size_t i = 0; i < model.loads.size(); ++i) {
+    places.push_back(model.loads[i].place);
+    if (model.loads[i].kind == Load::Kind::PointForce) model.loads[i] = resolved_.loads[i];
+    if (comm().getRank() != 0 || model.loads[i].kind != Load::Kind::ReferenceForce) continue;
+    const std::vector<Side> sides = sidesOf(drawn_->mesh.sideGroups, model.loads[i].groups);
+    if (!sides.empty()) places[i] = now_.bodies.frameOf(drawn_->mesh.nodesOf(sides.front()).front()).at(places[i]);
+  }
+  broadcast(comm(), places);
+  for (std::size_t i = 0; i < model.loads.size(); ++i)
+    if (model.loads[i].kind == Load::Kind::ReferenceForce) model.loads[i].place = places[i];
+  resolveLoads(comm(), parts_.cut.meshes, model);
+  std::vector<SubdomainMesh> none;
+  Constraints noConstraints;
+  parts_.path->setTime(time, model, none, noConstraints);
+}
+
+/// The scene at the present frames, with the pairs of the present shapes.
+void MovingSolver::place(double time) {
+  Vector drawnPlaces;
+  collectivelyOnRoot(comm(), "placing the bodies", [&] {
+    parts_.mesh = now_.bodies.placed();
+    parts_.constraints = constraints_->at(time, now_.bodies, now_.bodies.present(), history_);
+    drawnPlaces = Eigen::Map<const Vector>(drawn_->mesh.coordinates.data(), Eigen::Index(drawn_->mesh.coordinates.size()));
+  });
+  std::vector<SubdomainMesh> meshes = distribute(comm(), parts_.mesh, parts_.constraints, parts_.cut.partition);
+  // Subdomains refer to their meshes, which stay at one place in memory.
+  for (std::size_t s = 0; s < meshes.size(); ++s) parts_.cut.meshes[s] = std::move(meshes[s]);
+  const std::vector<Vector> own = scatterNodes(comm(), parts_.cut.meshes, drawnPlaces);
+  for (std::size_t s = 0; s < own.size(); ++s) parts_.cut.meshes[s].drawn.assign(own[s].begin(), own[s].end());
+  parts_.cut.whole.pieces = parts_.constraints.pieces;
+  parts_.cut.whole.parts = parts_.constraints.parts;
+  parts_.size = problemSize(comm(), parts_.mesh, parts_.constraints, parts_.cut.partition);
+  placeLoads(time);
+  if (!method_ || !method_->rearrange(parts_.run.timers())) {
+    method_.reset();
+    method_ = preparedMethod(parts_, nullptr, true);
+    ++prepared_;
+  }
+  parts_.size.interfaceDofs = method_->interfaceUnknowns();
+}
+
+Start MovingSolver::startOfRound() const {
+  struct StateOf {
+    int id;
+    ContactState state;
+  };
+  std::vector<StateOf> states;
+  for (const ContactPair& pair : parts_.constraints.pairs) {  // on rank 0
+    const auto found = now_.states.find({pair.line, pair.node()});
+    if (found != now_.states.end())
+      states.push_back({pair.id, found->second});
+    else
+      states.push_back({pair.id, pair.gap > 0.0 ? ContactState() : ContactState(parts_.scene.laws.of(pair.line).pressed())});
+  }
+  broadcast(comm(), states);
+  Start start;
+  start.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside());
+  for (const StateOf& one : states) start.status[one.id] = one.state;
+  start.carried = parts_.path->carried();
+  return start;
+}
+
+/// Takes over the shapes and states of a round; true if they are those of the round before. Collective.
+bool MovingSolver::settles(const Solution& solution) {
+  const Vector moved = gatherNodes(comm(), parts_.cut.meshes, solution.displacement, drawn_->mesh.nodes(), parts_.scene.model.dimension);
+  int same = 0;
+  collectivelyOnRoot(comm(), "moving the bodies", [&] {
+    const Vector before = now_.bodies.placement() + now_.bodies.beside();
+    now_.bodies.absorb(moved);
+    const double change = (now_.bodies.placement() + now_.bodies.beside() - before).cwiseAbs().maxCoeff();
+    const double scale = now_.bodies.beside().cwiseAbs().maxCoeff();
+    std::map<std::pair<int, int>, ContactState> states;
+    bool sameStates = true;
+    for (const PairResult& pair : solution.pairs) {
+      const std::pair<int, int> key{pair.line, parts_.constraints.pairs[static_cast<std::size_t>(pair.id)].node()};
+      states[key] = pair.state;
+      const auto found = now_.states.find(key);
+      sameStates = sameStates && (found == now_.states.end() ? !pair.state.closed() : found->second.status == pair.state.status);
+    }
+    now_.states = std::move(states);
+    if (std::getenv("MOVDBG")) {
+      Eigen::Index at;
+      (now_.bodies.placement() + now_.bodies.beside() - before).cwiseAbs().maxCoeff(&at);
+      fprintf(stderr, "HACK change %.3e at node %d (%g %g) scale %.3e same %d\n", change, int(at / 2), drawn_->mesh.point(int(at / 2))[0],
+              drawn_->mesh.point(int(at / 2))[1], scale, int(sameStates));
+    }
+    same = sameStates && change <= kSettled * scale + kRoundOff * extentOf(drawn_->mesh);
+  });
+  broadcastBytes(comm(), &same, sizeof same);
+  return same != 0;
+}
+
+Solution MovingSolver::solve(const Solution*, bool, const std::vector<Vector>*) {
+  now_ = accepted_;
+  const double time = parts_.path->presentTime();
+  int iterations = 0, pcg = 0;
+  bool hasStart = !parts_.path->rows.empty();
+  for (int round = 1;; ++round) {
+    place(time);
+    std::optional<Start> start;
+    if (hasStart && method_->takesStart()) start = startOfRound();
+    Solution solution = method_->solve(parts_.run.monitor(), parts_.run.timers(), start ? &*start : nullptr);
+    hasStart = true;
+    iterations += solution.iterations;
+    pcg += solution.pcgTotal + solution.auxiliary.pcg;
+    solution.iterations = iterations;
+    solution.pcgTotal = pcg;
+    solution.auxiliary.pcg = 0;
+    if (!solution.converged || solution.stopped) return solution;
+    if (settles(solution)) return solution;
+    if (round < kMostRounds) continue;
+    solution.converged = false;
+    solution.failure = "the places of the bodies do not settle within " + std::to_string(kMostRounds) + " rounds";
+    return solution;
+  }
+}
+
+std::vector<StepRow::Frame> MovingSolver::frames() const {
+  std::vector<StepRow::Frame> all;
+  for (std::size_t part = 0; part < now_.bodies.frames().size(); ++part) {
+    const BodyFrame& frame = now_.bodies.frames()[part];
+    all.push_back({now_.bodies.bodies()[part], minus(frame.place(), frame.centre()), frame.rotation()});
+  }
+  return all;
+}
+
+void MovingSolver::accept(const Solution& solution) {
+  collectivelyOnRoot(comm(), "accepting a step", [&] {
+    history_.accept(parts_.constraints.pairs, solution.pairs, now_.bodies.present(), now_.bodies);
+    accepted_ = now_;
+  });
+}
+
+}  // namespace suture

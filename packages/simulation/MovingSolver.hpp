@@ -1,0 +1,58 @@
+#pragma once
+#include <suture/simulation/MovingConstraints.hpp>
+#include <suture/simulation/SceneParts.hpp>
+#include <suture/simulation/StepSolver.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace suture {
+
+/// A scene whose bodies move far, as drawn.
+struct DrawnScene {
+  Mesh mesh;                ///< on rank 0
+  Constraints constraints;  ///< likewise
+  ElasticModel model;       ///< with loads that have no place on the mesh yet
+};
+
+/// Solves load steps of bodies that slide and turn far while their strains stay small. Each round finds the contact pairs between the
+/// present shapes, solves the linear scene at the present frames of the bodies, and makes the rigid part of the solution a finite motion of
+/// the frames, until shapes and pair states no longer change.
+class MovingSolver : public StepSolver {
+ public:
+  /// \param parts  must outlive it; mesh, constraints and subdomains are those of the last round. Collective.
+  MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> drawn);
+
+  Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement) override;
+  void accept(const Solution& solution) override;
+  std::vector<StepRow::Frame> frames() const override;
+  bool keepsPairs() const override { return false; }
+  const Method& method() const override { return *method_; }
+  std::unique_ptr<Method> takeMethod() override { return std::move(method_); }
+  const std::optional<Start>& start() const override { return start_; }
+
+ private:
+  /// Shapes and states between two rounds; on rank 0.
+  struct State {
+    MovingBodies bodies;
+    std::map<std::pair<int, int>, ContactState> states;  // by contact and carrying node
+  };
+  void place(double time);
+  void placeLoads(double time);
+  Start startOfRound() const;
+  bool settles(const Solution& solution);
+  const Comm& comm() const { return parts_.run.comm(); }
+
+  SceneParts& parts_;
+  std::shared_ptr<const DrawnScene> drawn_;
+  std::unique_ptr<Method> method_;
+  std::optional<Start> start_;
+  ElasticModel resolved_;                                 // loads at points of the drawn mesh
+  std::unique_ptr<const MovingConstraints> constraints_;  // on rank 0
+  SlipHistory history_;                                   // likewise, of the accepted step
+  State accepted_, now_;
+  int prepared_ = 0;  // number of times that the method was prepared
+};
+
+}  // namespace suture

@@ -1,0 +1,33 @@
+#pragma once
+#include <suture/report/Steps.hpp>
+#include <suture/solver/Method.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace suture {
+
+/// Solves the load steps of a path, one after the other; a step may be tried again with another length.
+class StepSolver {
+ public:
+  virtual ~StepSolver() = default;
+  /// The solution for the present loads. Collective.
+  /// \param before        solution of the last accepted step, the initial guess; null: the start
+  /// \param isPrepared    the method is prepared for these loads
+  /// \param displacement  better initial displacements of each subdomain than those of `before`; null: none
+  virtual Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr) = 0;
+  /// Places of the bodies at the last solution, on rank 0; empty if they do not move far.
+  virtual std::vector<StepRow::Frame> frames() const { return {}; }
+  /// Makes a solution the state from which the next step starts. Collective.
+  virtual void accept(const Solution& solution) { (void)solution; }
+  /// True if the pairs of two steps, and their displacements, can be compared.
+  virtual bool keepsPairs() const { return true; }
+
+  virtual const Method& method() const = 0;
+  /// Hands the method over; no solution afterwards.
+  virtual std::unique_ptr<Method> takeMethod() = 0;
+  virtual const std::optional<Start>& start() const = 0;
+};
+
+}  // namespace suture

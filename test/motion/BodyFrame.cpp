@@ -1,0 +1,47 @@
+#include <suture/base/Point.hpp>
+#include <suture/motion/BodyFrame.hpp>
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+using namespace suture;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+bool isNear(const Point& a, const Point& b, double tolerance) { return norm(minus(a, b)) <= tolerance; }
+
+TEUCHOS_UNIT_TEST(BodyFrame, TurnsAboutAPointOfSpace) {
+  BodyFrame frame({1, 0, 0});
+  frame.move({0, 0, 0}, {0, 0, kPi / 2}, {0, 0, 0});
+  TEST_ASSERT(isNear(frame.at({1, 0, 0}), {0, 1, 0}, 1e-15));
+  TEST_ASSERT(isNear(frame.at({2, 0, 0}), {0, 2, 0}, 1e-15));
+  TEST_ASSERT(isNear(frame.turn({0, 1, 0}), {-1, 0, 0}, 1e-15));
+  TEST_ASSERT(isNear(frame.turnBack({-1, 0, 0}), {0, 1, 0}, 1e-15));
+  frame.move({5, 0, 0}, {0, 0, 0}, {7, 7, 7});
+  TEST_ASSERT(isNear(frame.at({1, 0, 0}), {5, 1, 0}, 1e-15));
+}
+
+TEUCHOS_UNIT_TEST(BodyFrame, CountsTurnsIn2D) {
+  BodyFrame frame({0, 0, 0});
+  for (int k = 0; k < 40; ++k) frame.move({0, 0, 0}, {0, 0, 0.1 * kPi}, {3, 1, 0});
+  TEST_FLOATING_EQUALITY(frame.rotation()[2], 4 * kPi, 1e-14);
+  TEST_ASSERT(isNear(frame.at({2, 3, 0}), {2, 3, 0}, 1e-13));  // two whole turns
+}
+
+TEUCHOS_UNIT_TEST(BodyFrame, RotationVectorsIn3D) {
+  for (const double angle : {1e-12, 1e-5, 1e-4, 0.3, 3.1}) {
+    const Point vector = scaled(angle / 3.0, {2, -1, 2});
+    TEST_ASSERT(isNear(rotationVector(rotationBy(vector)), vector, 1e-15 + 1e-14 * angle));
+  }
+  // Turns about x and about y by a quarter: together a third of a turn about (1, 1, 1).
+  BodyFrame frame({0, 0, 0});
+  frame.move({0, 0, 0}, {0, kPi / 2, 0}, {0, 0, 0});
+  frame.move({0, 0, 0}, {kPi / 2, 0, 0}, {0, 0, 0});
+  const double part = 2 * kPi / 3 / std::sqrt(3.0);
+  TEST_ASSERT(isNear(frame.rotation(), {part, part, part}, 1e-14));
+}
+
+}  // namespace
