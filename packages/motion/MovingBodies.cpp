@@ -53,6 +53,7 @@ MovingBodies::MovingBodies(const Mesh& drawn, const Constraints& constraints) : 
   }
   for (const RigidGroup& group : constraints.rigidGroups) {
     Gauge& gauge = grouped[static_cast<std::size_t>(partOf(group.nodes.front()))];
+    if (!gauge.nodes.empty()) continue;  // the first group of a part determines its frame
     gauge.nodes = group.nodes;
     gauge.weights.assign(group.nodes.size(), 1.0);
   }
@@ -88,6 +89,18 @@ Mesh MovingBodies::meshAt(const Vector& displacement) const {
 
 Mesh MovingBodies::placed() const { return meshAt(placement()); }
 Mesh MovingBodies::present() const { return meshAt(placement() + beside_); }
+
+void MovingBodies::move(int part, const Point& shift, const Point& rotation, const Point& about) {
+  frames_[static_cast<std::size_t>(part)].move(shift, rotation, about);
+  const Eigen::Quaterniond by = rotationBy(rotation);
+  const int d = drawn_->dimension;
+  for (int node = 0; node < drawn_->nodes(); ++node) {
+    if (partOf(node) != part) continue;
+    const Point own = pointOf(beside_.data() + Eigen::Index(node) * d, d);
+    const Eigen::Vector3d turned = by * Eigen::Map<const Eigen::Vector3d>(own.data());
+    for (int k = 0; k < d; ++k) beside_[Eigen::Index(node) * d + k] = turned[k];
+  }
+}
 
 void MovingBodies::absorb(const Vector& displacement) {
   const int d = drawn_->dimension;

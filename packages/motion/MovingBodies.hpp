@@ -33,6 +33,8 @@ class MovingBodies {
   const std::vector<int>& bodies() const { return bodies_; }
   int partOf(int node) const { return partOf_[static_cast<std::size_t>(node)]; }
 
+  /// Moves a part with its displacements: see BodyFrame::move().
+  void move(int part, const Point& shift, const Point& rotation, const Point& about);
   /// Makes the displacements of a solution, from the placed mesh, the present ones, and their rigid parts finite motions of the frames.
   void absorb(const Vector& displacement);
 

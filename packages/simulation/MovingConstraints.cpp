@@ -36,6 +36,9 @@ bool holdsAll(const NodeRule& rule, int dimension) {
 
 MovingConstraints::MovingConstraints(const Scene& scene, const Mesh& drawn, Constraints constraints)
     : scene_(scene), drawn_(drawn), ofDrawn_(std::move(constraints)) {
+  scene.constraints(drawn, [this](Condition& condition) {
+    if (condition.type == Condition::Type::RigidGroup && condition.point) groups_.push_back(condition);
+  });
   std::set<int> nodes;
   for (const TouchingSides& contact : ofDrawn_.parts.touching)
     for (const std::vector<std::string>* groups : {&contact.groupsA, &contact.groupsB})
@@ -65,6 +68,19 @@ MovingConstraints::Drive MovingConstraints::driveOf(const Condition& condition, 
     if (condition.motions[3 + k]) drive.turn[k] = rest[k];
   drive.turnsAlong = freedomTurns(condition.motions, now, drawn_.dimension);
   return drive;
+}
+
+void MovingConstraints::drive(double time, MovingBodies& bodies) const {
+  const std::vector<double> factors = scene_.steps.at(time);
+  std::set<int> driven;  // parts, by their first groups
+  for (const Condition& group : groups_) {
+    const std::vector<Side> sides = sidesOf(drawn_.sideGroups, group.groups);
+    if (sides.empty()) continue;
+    const int part = bodies.partOf(drawn_.nodesOf(sides.front()).front());
+    if (!driven.insert(part).second) continue;
+    const Drive drive = driveOf(group, factors, bodies);
+    bodies.move(part, drive.shift, drive.turn, drive.point);
+  }
 }
 
 Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history) const {

@@ -16,7 +16,8 @@ class MovingConstraints {
   /// The scene and the mesh must outlive it. \param constraints  of the drawn mesh
   MovingConstraints(const Scene& scene, const Mesh& drawn, Constraints constraints);
 
-  const Constraints& ofDrawn() const { return ofDrawn_; }
+  /// Moves the bodies of rigid groups to their prescribed places at a time: the start of the first round of a step.
+  void drive(double time, MovingBodies& bodies) const;
   /// \param present  the bodies' present mesh \throws InputError  as buildConstraints(), as if a contact has no facing sides any more
   Constraints at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history) const;
 
@@ -38,7 +39,8 @@ class MovingConstraints {
   const Scene& scene_;
   const Mesh& drawn_;
   Constraints ofDrawn_;
-  std::vector<int> touching_;  // nodes of the sides in contact, ascending
+  std::vector<Condition> groups_;  // rigid groups
+  std::vector<int> touching_;      // nodes of the sides in contact, ascending
 };
 
 }  // namespace suture

@@ -68,6 +68,7 @@ MovingSolver::MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> 
   collectivelyOnRoot(comm(), "placing the bodies", [&] {
     constraints_ = std::make_unique<const MovingConstraints>(parts_.scene, drawn_->mesh, drawn_->constraints);
     accepted_.bodies = MovingBodies(drawn_->mesh, drawn_->constraints);
+    history_.begin(accepted_.bodies, accepted_.bodies.present());
   });
 }
 
@@ -171,6 +172,7 @@ bool MovingSolver::settles(const Solution& solution) {
 
 Solution MovingSolver::solve(const Solution*, bool, const std::vector<Vector>*) {
   now_ = accepted_;
+  collectivelyOnRoot(comm(), "driving the bodies", [&] { constraints_->drive(parts_.path->presentTime(), now_.bodies); });
   const double time = parts_.path->presentTime();
   int iterations = 0, pcg = 0;
   bool hasStart = !parts_.path->rows.empty();
@@ -205,7 +207,8 @@ std::vector<StepRow::Frame> MovingSolver::frames() const {
 
 void MovingSolver::accept(const Solution& solution) {
   collectivelyOnRoot(comm(), "accepting a step", [&] {
-    history_.accept(parts_.constraints.pairs, solution.pairs, now_.bodies.present(), now_.bodies);
+    history_.accept(parts_.constraints.pairs, solution.pairs);
+    history_.begin(now_.bodies, now_.bodies.present());
     accepted_ = now_;
   });
 }

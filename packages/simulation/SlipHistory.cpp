@@ -5,7 +5,7 @@ namespace suture {
 
 namespace {
 
-/// Vector from the point of side B to that of side A; without a side B the place of the point of side A. \param at  place of a node
+/// Vector from the point of side B to that of side A; with an obstacle the place of the point of side A. \param at  place of a node
 template <typename At>
 Point apart(const std::vector<PairEnd>& ends, const At& at) {
   Point sum{0, 0, 0};
@@ -15,44 +15,37 @@ Point apart(const std::vector<PairEnd>& ends, const At& at) {
 
 Point tangential(const Point& vector, const Point& normal) { return minus(vector, scaled(dot(vector, normal), normal)); }
 
-/// Frame of side B; null for an obstacle.
-const BodyFrame* frameOfB(const std::vector<PairEnd>& ends, const MovingBodies& bodies) {
-  for (const PairEnd& end : ends)
-    if (end.weight < 0.0) return &bodies.frameOf(end.node);
-  return nullptr;
-}
-
 }  // namespace
 
-void SlipHistory::accept(const std::vector<ContactPair>& pairs, const std::vector<PairResult>& results, const Mesh& mesh,
-                         const MovingBodies& bodies) {
+void SlipHistory::begin(const MovingBodies& bodies, const Mesh& mesh) {
+  before_ = bodies;
+  shape_ = mesh;
+}
+
+void SlipHistory::accept(const std::vector<ContactPair>& pairs, const std::vector<PairResult>& results) {
   of_.clear();
   for (const PairResult& result : results) {
     if (!result.kind.restrictsSliding) continue;
     const ContactPair& pair = pairs[static_cast<std::size_t>(result.id)];
-    Entry entry;
-    entry.ends = pair.ends;
     const bool slides = result.state.status == PairStatus::Slip && norm(result.stepSlip()) > 0.0;
-    entry.past = {{0, 0, 0}, result.past.slipped || slides, result.dissipated};
-    entry.offset = tangential(apart(pair.ends, [&](int node) { return mesh.point(node); }), pair.normal);
-    if (const BodyFrame* frame = frameOfB(pair.ends, bodies)) entry.offset = frame->turnBack(entry.offset);
-    of_[{pair.line, pair.node()}] = std::move(entry);
+    of_[{pair.line, pair.node()}] = {{0, 0, 0}, result.past.slipped || slides, result.dissipated};
   }
 }
 
 void SlipHistory::setPast(ContactPair& pair, const Mesh& mesh, const MovingBodies& bodies) const {
-  const int d = mesh.dimension;
-  const Point jump = apart(pair.ends, [&](int node) { return pointOf(bodies.beside().data() + Eigen::Index(node) * d, d); });
-  Point slip{0, 0, 0};  // of the step, so far
   const auto found = of_.find({pair.line, pair.node()});
-  if (found != of_.end()) {
-    const Entry& entry = found->second;
-    const BodyFrame* frame = frameOfB(entry.ends, bodies);
-    const Point offset = frame ? frame->turn(entry.offset) : entry.offset;
-    slip = minus(tangential(apart(entry.ends, [&](int node) { return mesh.point(node); }), pair.normal), tangential(offset, pair.normal));
-    pair.past = entry.past;
-  }
-  pair.past.slip = minus(tangential(jump, pair.normal), slip);
+  if (found != of_.end()) pair.past = found->second;
+  const int d = mesh.dimension;
+  const Point beside = apart(pair.ends, [&](int node) { return pointOf(bodies.beside().data() + Eigen::Index(node) * d, d); });
+  Point before = apart(pair.ends, [&](int node) { return shape_.point(node); });
+  const Point now = apart(pair.ends, [&](int node) { return mesh.point(node); });
+  for (const PairEnd& end : pair.ends)
+    if (end.weight * pair.ends.front().weight < 0.0) {  // a node of the other side, from which the motion is seen
+      before = bodies.frameOf(end.node).turn(before_.frameOf(end.node).turnBack(before));
+      break;
+    }
+  const Point slip = tangential(minus(now, before), pair.normal);
+  pair.past.slip = minus(tangential(beside, pair.normal), slip);
 }
 
 }  // namespace suture
