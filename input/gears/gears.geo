@@ -6,7 +6,7 @@ psi = Pi / (2 * z) + Tan(alpha) - alpha;  // angle between the middle of a tooth
 nf = 8;                                   // intervals of a flank
 tmax = Sqrt((ra / rb)^2 - 1);
 Macro Gear  // centre (cx, 0), first tooth at the angle a0, numbers from b
-  outline = {}; driving = {}; hubs = {};
+  outline() = {}; driving() = {};
   c = b; Point(c) = {cx, 0, 0, coarse};
   For k In {0:teeth-1}
     a = a0 + (k - (teeth - 1) / 2) * 2 * Pi / z; q = b + 100 * (k + 1);
@@ -21,14 +21,12 @@ Macro Gear  // centre (cx, 0), first tooth at the angle a0, numbers from b
       Line(q + 20 * s + 1) = {q + 20 * s + 15, q + 20 * s};
     EndFor
     Circle(q + 50) = {q + nf, c, q + 20 + nf};  // tip
-    outline() += {q + 1, q, q + 50, -(q + 20), -(q + 21)};
-    driving() += {q + 20 * drive};
-    If (k < teeth - 1)
-      qn = q + 100; an = a + 2 * Pi / z;
-      Point(qn + 15) = {cx + rf * Cos(an - psi), rf * Sin(an - psi), 0, 2 * fine};
-      Circle(q + 51) = {q + 35, c, qn + 15};
+    If (k > 0)
+      Circle(q + 51) = {q - 65, c, q + 15};
       outline() += {q + 51};
     EndIf
+    outline() += {q + 1, q, q + 50, -(q + 20), -(q + 21)};
+    driving() += {q + 20 * drive};
   EndFor
   // hub
   a1 = a0 - (teeth - 1) / 2 * 2 * Pi / z - Pi / z; a2 = a0 + (teeth - 1) / 2 * 2 * Pi / z + Pi / z;
@@ -39,8 +37,10 @@ Macro Gear  // centre (cx, 0), first tooth at the angle a0, numbers from b
   Curve Loop(b) = {b + 1, outline(), b + 2, b + 3, b + 4, b + 5};
   Plane Surface(b) = {b};
 Return
-b = 1000; cx = 0; a0 = 0; drive = 1; Call Gear; d1() = driving();
-b = 3000; cx = 2 * rp; a0 = Pi + Pi / z; drive = 1; Call Gear; d2() = driving();
+b = 1000; cx = 0; a0 = 0; drive = 1; Call Gear;
+d1() = driving();
+b = 3000; cx = 2 * rp; a0 = Pi + Pi / z; drive = 1; Call Gear;
+d2() = driving();
 Mesh.ElementOrder = order;
 Physical Surface("driver") = {1000}; Physical Surface("wheel") = {3000};
 Physical Curve("flanks_1") = {d1()}; Physical Curve("flanks_2") = {d2()};

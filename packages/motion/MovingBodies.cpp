@@ -102,6 +102,51 @@ void MovingBodies::move(int part, const Point& shift, const Point& rotation, con
   }
 }
 
+/// Mean place of the nodes that determine the frame of a part, on the placed body.
+Point MovingBodies::centreOf(std::size_t part) const {
+  const Gauge& gauge = gauges_[part];
+  Point centre{0, 0, 0};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
+    sum += gauge.weights[i];
+    centre = plus(centre, scaled(gauge.weights[i], frames_[part].at(drawn_->point(gauge.nodes[i]))));
+  }
+  return scaled(1.0 / sum, centre);
+}
+
+/// Tensor of inertia of these nodes about their centre.
+Matrix MovingBodies::inertiaOf(std::size_t part, const Point& centre) const {
+  const Gauge& gauge = gauges_[part];
+  Matrix inertia = Matrix::Zero(3, 3);
+  for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
+    const Point arm = minus(frames_[part].at(drawn_->point(gauge.nodes[i])), centre);
+    const Eigen::Map<const Eigen::Vector3d> r(arm.data());
+    inertia += gauge.weights[i] * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  }
+  return inertia;
+}
+
+namespace {
+
+/// Rotation of nodes with a moment of momentum. \param inertia  of them
+Point turnOf(const Matrix& inertia, const Point& momentum, int dimension) {
+  if (dimension == 2) return {0, 0, momentum[2] / inertia(2, 2)};
+  const Vector solved = leastSquares(inertia, Eigen::Map<const Vector>(momentum.data(), 3));
+  return {solved[0], solved[1], solved[2]};
+}
+
+}  // namespace
+
+std::map<int, Point> MovingBodies::couple(int part, const Point& moment) const {
+  const auto p = static_cast<std::size_t>(part);
+  const Gauge& gauge = gauges_[p];
+  const Point centre = centreOf(p), turn = turnOf(inertiaOf(p, centre), moment, drawn_->dimension);
+  std::map<int, Point> forces;
+  for (std::size_t i = 0; i < gauge.nodes.size(); ++i)
+    forces[gauge.nodes[i]] = scaled(gauge.weights[i], cross(turn, minus(frames_[p].at(drawn_->point(gauge.nodes[i])), centre)));
+  return forces;
+}
+
 void MovingBodies::absorb(const Vector& displacement) {
   const int d = drawn_->dimension;
   const auto at = [&](const Vector& values, int node) { return pointOf(values.data() + Eigen::Index(node) * d, d); };
@@ -110,30 +155,18 @@ void MovingBodies::absorb(const Vector& displacement) {
   for (std::size_t p = 0; p < frames_.size(); ++p) {
     const Gauge& gauge = gauges_[p];
     double sum = 0.0;
-    Point centre{0, 0, 0}, shift{0, 0, 0};
+    Point shift{0, 0, 0}, spin{0, 0, 0};
     for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
       sum += gauge.weights[i];
-      centre = plus(centre, scaled(gauge.weights[i], before[p].at(drawn_->point(gauge.nodes[i]))));
       shift = plus(shift, scaled(gauge.weights[i], at(displacement, gauge.nodes[i])));
     }
-    centre = scaled(1.0 / sum, centre), shift = scaled(1.0 / sum, shift);
-    Matrix inertia = Matrix::Zero(3, 3);
-    Point spin{0, 0, 0};
-    for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
-      const Point arm = minus(before[p].at(drawn_->point(gauge.nodes[i])), centre);
-      const Eigen::Map<const Eigen::Vector3d> r(arm.data());
-      inertia += gauge.weights[i] * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
-      spin = plus(spin, scaled(gauge.weights[i], cross(arm, minus(at(displacement, gauge.nodes[i]), shift))));
-    }
-    Point turn{0, 0, 0};
-    if (d == 2) {
-      turn[2] = spin[2] / inertia(2, 2);
-    } else {
-      const Vector solved = leastSquares(inertia, Eigen::Map<const Vector>(spin.data(), 3));
-      std::copy(solved.begin(), solved.end(), turn.begin());
-    }
-    centres[p] = centre, shifts[p] = shift, turns[p] = turn;
-    frames_[p].move(shift, turn, centre);
+    const Point centre = centreOf(p);
+    shift = scaled(1.0 / sum, shift);
+    for (std::size_t i = 0; i < gauge.nodes.size(); ++i)
+      spin = plus(spin, scaled(gauge.weights[i], cross(minus(before[p].at(drawn_->point(gauge.nodes[i])), centre),
+                                                       minus(at(displacement, gauge.nodes[i]), shift))));
+    centres[p] = centre, shifts[p] = shift, turns[p] = turnOf(inertiaOf(p, centre), spin, d);
+    frames_[p].move(shifts[p], turns[p], centre);
   }
   for (int node = 0; node < drawn_->nodes(); ++node) {
     const int part = partOf(node);

@@ -4,6 +4,7 @@
 #include <suture/motion/BodyFrame.hpp>
 #include <suture/motion/RigidMotion.hpp>
 
+#include <map>
 #include <vector>
 
 namespace suture {
@@ -35,6 +36,9 @@ class MovingBodies {
 
   /// Moves a part with its displacements: see BodyFrame::move().
   void move(int part, const Point& shift, const Point& rotation, const Point& about);
+  /// Forces on the nodes that determine the frame of a part whose sum is zero and whose moment about any point of the placed body is given:
+  /// by node.
+  std::map<int, Point> couple(int part, const Point& moment) const;
   /// Makes the displacements of a solution, from the placed mesh, the present ones, and their rigid parts finite motions of the frames.
   void absorb(const Vector& displacement);
 
@@ -44,6 +48,8 @@ class MovingBodies {
     std::vector<int> nodes;
     std::vector<double> weights;
   };
+  Point centreOf(std::size_t part) const;
+  Matrix inertiaOf(std::size_t part, const Point& centre) const;
   Mesh meshAt(const Vector& displacement) const;
 
   const Mesh* drawn_ = nullptr;

@@ -108,6 +108,7 @@ void readCoupling(const Parameters& list, Contact& contact) {
   using Carrier = Contact::Carrier;
   contact.coupling = coupling == "Mortar" ? Coupling::Mortar : coupling == "Matching Nodes" ? Coupling::MatchingNodes : Coupling::Automatic;
   using Geometry = Contact::Geometry;
+  if (list.isParameter("Reach")) contact.reach = list.get<double>("Reach");
   const std::string geometry = list.get<std::string>("Geometry");
   contact.geometry = geometry == "Smooth" ? Geometry::Smooth : geometry == "Facets" ? Geometry::Facets : Geometry::Automatic;
   if (list.get<std::string>("Multipliers") == "Linear") contact.multipliers = Contact::Multipliers::Linear;
@@ -339,6 +340,11 @@ Schema contactSchema(const std::string& law, const std::map<std::string, Schema>
              "with Mortar, curve or surface that represents a side of first-order elements whose nodes lie on a curved one. Automatic: the "
              "common shape of both sides when pressed together, with a curvature weighted by the bodies' stiffnesses; Smooth: the drawn "
              "shape, with the curvature through neighbouring nodes; Facets: the elements themselves")
+      .real("Reach", std::nullopt,
+            "with Mortar, largest distance of points that face each other, also of interference [length]; default: none. For sides that "
+            "pass other parts of the partner, as teeth of gears",
+            Range::positive(), "length")
+      .optional()
       .text("Initial Gap", std::nullopt, "a function of x and y (3D: x, y and z) on Side A [length], instead of the distance in the mesh")
       .optional()
       .real("Tolerance", 1e-3, "largest tangential distance between the two nodes of a pair, as a fraction of the local mesh size",

@@ -7,6 +7,7 @@
 #include <suture/pairs/Obstacle.hpp>
 #include <suture/pairs/Overclosure.hpp>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,6 +39,8 @@ struct Contact {
   std::string path;                           ///< "Contact/fault above", for messages
   std::vector<std::string> groupsA, groupsB;  ///< side groups of the two faces; none for face B with an obstacle
   double tolerance = 1e-3;                    ///< tangential distance of partners, as a fraction of the local mesh size
+  /// Largest distance along the normal, also of interference, of points that face each other [length]
+  double reach = std::numeric_limits<double>::infinity();
   enum class Coupling { Automatic, MatchingNodes, Mortar } coupling = Coupling::Automatic;
   enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< face whose nodes carry the mortar pairs
   /// Functions of the mortar stress on second-order sides in 3D: one per node where the side is covered entirely, or one per vertex. With

@@ -1,10 +1,12 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/elasticity/ElementForces.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
 #include <suture/simulation/MovingSolver.hpp>
 
 #include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +19,10 @@ namespace {
 // beside the frames it changes forces by less than the default tolerances of the verdict.
 constexpr double kSettled = 1e-6;
 constexpr double kRoundOff = 1e-13;  // of the extent of the scene: bodies without strain
-constexpr int kMostRounds = 40;      // conforming contacts, whose gap is of the order of the displacements, need up to 27
+// Part of the closed pairs that may begin to stick in a step: the slip of a pair counts from the beginning of the step, not from the moment
+// at which it closes. The path of a roller is 2.5e-3, 6e-4 and 3e-5 too long if it moves by .43, .22 and .11 of the width of its contact.
+constexpr double kNewlyStuck = 0.3;
+constexpr int kMostRounds = 40;  // conforming contacts, whose gap is of the order of the displacements, need up to 27
 
 struct ValueAt {
   GlobalId node;
@@ -69,7 +74,14 @@ MovingSolver::MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> 
     constraints_ = std::make_unique<const MovingConstraints>(parts_.scene, drawn_->mesh, drawn_->constraints);
     accepted_.bodies = MovingBodies(drawn_->mesh, drawn_->constraints);
     history_.begin(accepted_.bodies, accepted_.bodies.present());
+    partOfSubdomain_.assign(static_cast<std::size_t>(parts_.cut.partition.subdomains()), 0);
+    for (int e = 0; e < drawn_->mesh.elements(); ++e)
+      partOfSubdomain_[static_cast<std::size_t>(parts_.cut.partition.subdomainOfElement[static_cast<std::size_t>(e)])] =
+          accepted_.bodies.partOf(drawn_->mesh.nodesOf(e)[0]);
+    moments_.assign(accepted_.bodies.frames().size(), {0, 0, 0});
   });
+  broadcast(comm(), partOfSubdomain_);
+  broadcast(comm(), moments_);
 }
 
 /// Loads at the present places: moments and forces of groups follow from the placed mesh, points of rigid groups move, and forces at points
@@ -89,12 +101,54 @@ void MovingSolver::placeLoads(double time) {
   for (std::size_t i = 0; i < model.loads.size(); ++i)
     if (model.loads[i].kind == Load::Kind::ReferenceForce) model.loads[i].place = places[i];
   resolveLoads(comm(), parts_.cut.meshes, model);
+  addCouples(model);
   std::vector<SubdomainMesh> none;
   Constraints noConstraints;
   parts_.path->setTime(time, model, none, noConstraints);
 }
 
 /// The scene at the present frames, with the pairs of the present shapes.
+/// Linear elements balance moments about the places of their nodes without strain. Couples make the balance exact at the present places.
+void MovingSolver::addCouples(ElasticModel& model) const {
+  struct Force {
+    int node;
+    Point force;
+  };
+  std::vector<Force> all;
+  if (comm().getRank() == 0 && !moments_.empty())
+    for (std::size_t part = 0; part < now_.bodies.frames().size(); ++part)
+      for (const auto& [node, force] : now_.bodies.couple(static_cast<int>(part), moments_[part])) all.push_back({node, force});
+  broadcast(comm(), all);
+  if (all.empty()) return;
+  Load load;
+  load.kind = Load::Kind::NodalForces;
+  load.name = "couples of displaced forces";
+  for (const Force& one : all) load.forces[one.node] = one.force;
+  model.loads.push_back(std::move(load));
+}
+
+/// Moments of the forces on each part about the displacements of their nodes: sum u x F.
+void MovingSolver::findMoments(const Solution& solution) {
+  const ElasticModel& model = parts_.scene.model;
+  std::vector<double> mine(3 * moments_.size(), 0.0), all(mine.size());
+  collectively(comm(), "finding moments", [&] {
+    for (std::size_t s = 0; s < parts_.cut.meshes.size(); ++s) {
+      const SubdomainMesh& mesh = parts_.cut.meshes[s];
+      const auto materialOf = [&](int element) -> const Material& { return model.materialOf(mesh, element, mesh.body); };
+      const Vector forces = elementForces(mesh, materialOf, model.plane, solution.displacement[s]).internal;
+      double* sum = mine.data() + 3 * static_cast<std::size_t>(partOfSubdomain_[static_cast<std::size_t>(mesh.id)]);
+      for (int node = 0; node < mesh.nodes(); ++node) {
+        const Eigen::Index at = Eigen::Index(node) * mesh.dimension;
+        const Point moment =
+            cross(pointOf(solution.displacement[s].data() + at, mesh.dimension), pointOf(forces.data() + at, mesh.dimension));
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += moment[k];
+      }
+    }
+  });
+  Teuchos::reduceAll(comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  for (std::size_t part = 0; part < moments_.size(); ++part) moments_[part] = {all[3 * part], all[3 * part + 1], all[3 * part + 2]};
+}
+
 void MovingSolver::place(double time) {
   Vector drawnPlaces;
   collectivelyOnRoot(comm(), "placing the bodies", [&] {
@@ -188,6 +242,7 @@ Solution MovingSolver::solve(const Solution*, bool, const std::vector<Vector>*) 
     solution.pcgTotal = pcg;
     solution.auxiliary.pcg = 0;
     if (!solution.converged || solution.stopped) return solution;
+    findMoments(solution);
     if (settles(solution)) return solution;
     if (round < kMostRounds) continue;
     solution.converged = false;
@@ -203,6 +258,21 @@ std::vector<StepRow::Frame> MovingSolver::frames() const {
     all.push_back({now_.bodies.bodies()[part], minus(frame.place(), frame.centre()), frame.rotation()});
   }
   return all;
+}
+
+bool MovingSolver::isTooLong(const Solution& solution) const {
+  int sticks = 0, closed = 0;  // pairs that stick and were open before the step; closed pairs
+  for (const PairResult& pair : solution.pairs) {
+    if (!pair.state.closed()) continue;
+    ++closed;
+    const auto before = accepted_.states.find({pair.line, parts_.constraints.pairs[static_cast<std::size_t>(pair.id)].node()});
+    const bool isNew = before == accepted_.states.end() || !before->second.closed();
+    sticks += isNew && pair.kind.restrictsSliding && pair.state.status == PairStatus::Stick;
+  }
+  const bool touched = std::any_of(accepted_.states.begin(), accepted_.states.end(), [](const auto& one) { return one.second.closed(); });
+  int tooLong = touched && sticks > kNewlyStuck * closed;
+  broadcastBytes(comm(), &tooLong, sizeof tooLong);
+  return tooLong != 0;
 }
 
 void MovingSolver::accept(const Solution& solution) {

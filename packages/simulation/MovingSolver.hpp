@@ -27,6 +27,7 @@ class MovingSolver : public StepSolver {
   Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement) override;
   void accept(const Solution& solution) override;
   std::vector<StepRow::Frame> frames() const override;
+  bool isTooLong(const Solution& solution) const override;
   bool keepsPairs() const override { return false; }
   const Method& method() const override { return *method_; }
   std::unique_ptr<Method> takeMethod() override { return std::move(method_); }
@@ -40,6 +41,8 @@ class MovingSolver : public StepSolver {
   };
   void place(double time);
   void placeLoads(double time);
+  void addCouples(ElasticModel& model) const;
+  void findMoments(const Solution& solution);
   Start startOfRound() const;
   bool settles(const Solution& solution);
   const Comm& comm() const { return parts_.run.comm(); }
@@ -52,7 +55,9 @@ class MovingSolver : public StepSolver {
   std::unique_ptr<const MovingConstraints> constraints_;  // on rank 0
   SlipHistory history_;                                   // likewise, of the accepted step
   State accepted_, now_;
-  int prepared_ = 0;  // number of times that the method was prepared
+  std::vector<int> partOfSubdomain_;  // part of each subdomain of the scene; the same on all ranks
+  std::vector<Point> moments_;        // of the forces at present places minus those at placed ones, by part; likewise
+  int prepared_ = 0;                  // number of times that the method was prepared
 };
 
 }  // namespace suture

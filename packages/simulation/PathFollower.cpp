@@ -191,7 +191,8 @@ Solution PathFollower::follow() {
     const double allowed = scene().laws.restrictSliding() ? scene().steps.largestChange() * parts_.size.pairs : parts_.size.pairs;
     // If half the step changes as many pairs (a body begins to slide), they change at once, and no step is short enough.
     const bool isSudden = isSolved && changed >= kSudden * changedBefore && changedBefore >= kSudden * changedFirst && changedFirst > 0;
-    const bool isTooLong = (!isSolved && anyStop == 0) || (changed > allowed && !isSudden);
+    const bool isTooLong =
+        (!isSolved && anyStop == 0) || (changed > allowed && !isSudden) || (isSolved && hasBefore && solver_.isTooLong(solution));
     changedFirst = std::exchange(changedBefore, changed);
     if (isTooLong && length / 2 >= whole * std::pow(0.5, scene().steps.halvings()) * (1.0 - kSameTime)) {
       path().length = length / 2;

@@ -17,6 +17,8 @@ class StepSolver {
   /// \param isPrepared    the method is prepared for these loads
   /// \param displacement  better initial displacements of each subdomain than those of `before`; null: none
   virtual Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr) = 0;
+  /// True if the last solution moved so far that a shorter step is more accurate. Collective.
+  virtual bool isTooLong(const Solution& solution) const { return (void)solution, false; }
   /// Places of the bodies at the last solution, on rank 0; empty if they do not move far.
   virtual std::vector<StepRow::Frame> frames() const { return {}; }
   /// Makes a solution the state from which the next step starts. Collective.

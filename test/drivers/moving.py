@@ -64,12 +64,12 @@ for angle in (0.0, 0.3, 1.0, 3.0, 100.0):
 
 # A roller on a plane: Hertz' pressure at all angles, and a path of 2 pi R a turn.
 code, _, summary, rows, frames = solve("roller", INPUT / "roller" / "roller.xml", *setting("Output/Tables", "true"))
-check("roller: all steps", (code, summary["verified"], len(rows)), (0, True, 17))
+check("roller: all steps, the long ones halved", (code, summary["verified"], 17 < len(rows) < 40), (0, True, True))
 stiffness = 2.1e5 / (1 - 0.3**2) / 2
 half = math.sqrt(4 * 12000 * 10 / math.pi / stiffness)
 check("roller: Hertz", summary["extremes"]["pressure"]["value"] / (2 * 12000 / math.pi / half), lambda ratio: 0.98 < ratio < 1.025)
 last = [row for row in frames if row["body"] == "roller"][-1]
-check("roller: path", abs(float(last["displacement_x"]) / 16.0 - 1), lambda part: part < 2e-3)
+check("roller: path", abs(float(last["displacement_x"]) / 16.0 - 1), lambda part: part < 1e-3)
 check("roller: angle", abs(float(last["rotation_z"]) + 1.6), lambda apart: apart < 1e-9)
 for row in rows:
     check("roller: forces", max(abs(force(row)[0]), abs(force(row)[1] + 12000)), lambda apart: apart < 1e-3)

@@ -191,7 +191,7 @@ Point FaceSampling::meanNormal(int side, int node) const {
     const auto place = ProjectedFace(other_[facet->side], facet->nodes, projection).meet({0, 0});
     if (!place) continue;
     const double gap = std::abs(dot(minus(place->point, from), normal));
-    if ((nearest && gap >= least) || isThrough(*facet, {0, 0}, 0.0, projection, candidates.leaving)) continue;
+    if (gap > contact_.reach || (nearest && gap >= least) || isThrough(*facet, {0, 0}, 0.0, projection, candidates.leaving)) continue;
     nearest = &other_[facet->side];
     at = place->at;
     least = gap;
@@ -325,6 +325,7 @@ void FaceSampling::addSamples(const Overlap& overlap, const Projection& projecti
       // A surface inclined to the plane has a larger area than its projection.
       sample.weight = area * rule.weights[q] * std::sqrt(dot(on->density, on->density)) / dot(on->density, projection.along);
       sample.gap = dot(minus(onOther->point, on->point), projection.along);
+      if (std::abs(sample.gap) > contact_.reach) continue;
       if (!rivals.empty() && !isNearest(*overlap.other, sample.gap, on->point, projection, rivals)) continue;
       if (contact_.initialGap)
         sample.gap = contact_.initialGap->at(on->point);

@@ -52,7 +52,7 @@ LineSampling::LineSampling(const Mesh& mesh, const ContactSurface& contact, bool
       share_(onA ? contact.shareOfA() : 1 - contact.shareOfA()),
       own_(segmentsOf(mesh, contact, onA)),
       other_(segmentsOf(mesh, contact, !onA)),
-      segmentation_(other_),
+      segmentation_(other_, contact.reach),
       rule_(gaussRule(6)) {}
 
 bool LineSampling::isFaceted() const {

@@ -49,7 +49,8 @@ Point normalAt(const MortarSegment& side, double eta) {
 
 }  // namespace
 
-Segmentation::Segmentation(const std::vector<MortarSegment>& others) : others_(others), search_(endsOf(others)) {}
+Segmentation::Segmentation(const std::vector<MortarSegment>& others, double reach)
+    : others_(others), reach_(reach), search_(endsOf(others)) {}
 
 std::optional<Segmentation::Meeting> Segmentation::meet(const Point& from, const Point& direction, const MortarSegment& other) {
   const auto eta = placeOn(other, from, direction);
@@ -87,7 +88,7 @@ std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, co
   double least = std::numeric_limits<double>::infinity();
   for (const int i : candidates)
     if (const auto met = meet(from, direction, others_[i]);
-        met && std::abs(met->gap) < least && !isThrough(*met, from, direction, candidates)) {
+        met && std::abs(met->gap) <= reach_ && std::abs(met->gap) < least && !isThrough(*met, from, direction, candidates)) {
       least = std::abs(met->gap);
       best = met;
     }

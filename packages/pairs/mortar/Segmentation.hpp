@@ -2,6 +2,7 @@
 #include <suture/pairs/PairSearch.hpp>
 #include <suture/pairs/mortar/MortarSegment.hpp>
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace suture {
 /// overlap of two sides is an interval. Costs O(log n) per side, n the number of sides of the other surface. Local.
 class Segmentation {
  public:
-  /// \param others  sides of the other surface; must outlive this object
-  explicit Segmentation(const std::vector<MortarSegment>& others);
+  /// \param others  sides of the other surface; must outlive this object \param reach  see Contact::reach
+  explicit Segmentation(const std::vector<MortarSegment>& others, double reach = std::numeric_limits<double>::infinity());
 
   /// Point of a side of the other surface that the line through a point along a direction meets from outside.
   struct Meeting {
@@ -41,6 +42,7 @@ class Segmentation {
   std::vector<double> breaks(const MortarSegment& own, const Point& direction, const std::vector<int>& candidates) const;
 
   const std::vector<MortarSegment>& others_;
+  double reach_;
   PairSearch search_;
 };
 
