@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <suture/base/Types.hpp>
 
 #include <array>
@@ -84,6 +84,18 @@ int SimplexNodes<D>::ofSide(int a, int j) {
   if constexpr (D == 2) return vertices + a;
   const int first = j == 4 ? 1 : 0, second = j == 3 ? 1 : 2;
   return vertices + edge(vertex(first), vertex(second));
+}
+
+/// Length or area of the side opposite to a vertex. Local.
+template <int D>
+double sideSize(const BoundElement<D>& element, int opposite) {
+  Eigen::Matrix<double, D, D> corners;
+  for (int i = 0, j = 0; i <= D; ++i)
+    if (i != opposite) corners.col(j++) = element.places.col(i);
+  if constexpr (D == 2)
+    return (corners.col(1) - corners.col(0)).norm();
+  else
+    return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).norm() / 2;
 }
 
 }  // namespace suture

@@ -1,9 +1,8 @@
-#include <Eigen/Geometry>
 #include <suture/answer/bound/BoundParts.hpp>
 #include <suture/answer/bound/CellParts.hpp>
 #include <suture/answer/bound/QuadrilateralField.hpp>
 #include <suture/answer/bound/SideConditions.hpp>
-#include <suture/answer/bound/SimplexField.hpp>
+#include <suture/answer/bound/SimplexLaw.hpp>
 #include <suture/answer/bound/SupportedSides.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementStress.hpp>
@@ -25,68 +24,6 @@ constexpr double kPolynomial = 1e-9;
 constexpr double kExactlyStraight = 1e-11;
 constexpr const char* kCurvedSides = "elements have curved sides";
 
-template <int D>
-constexpr std::array<int, BoundElement<D>::stress> componentsOf() {
-  if constexpr (D == 2)
-    return {0, 1, 3};
-  else
-    return {0, 1, 2, 3, 4, 5};
-}
-
-/// Material data of the elements: the full law of displacements, whatever the form of the elements.
-template <int D>
-struct Law {
-  static constexpr int n = BoundElement<D>::stress;
-  HookesLaw<D> ofElements, full;
-  Eigen::Matrix<double, n, n> stiffness, compliance;
-  bool isFull = false;  ///< true: the elements have the full law themselves
-
-  Law(Material material, PlaneModel plane) : ofElements(material, plane) {
-    material.element = ElementForm::Displacement;
-    material.enhanced = false;
-    full = HookesLaw<D>(material, plane);
-    isFull = ofElements.projected == 0.0 && ofElements.pointwise == full.pointwise;
-    const auto c = componentsOf<D>();
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) stiffness(i, j) = full.pointwise(c[i], c[j]);
-    if constexpr (D == 3) {
-      compliance = full.compliance;
-    } else {
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          compliance(i, j) = full.compliance(c[i], c[j]);
-          // In plane strain the out-of-plane stress follows from the others.
-          if (!full.isSheet()) compliance(i, j) -= full.compliance(c[i], 2) * full.compliance(2, c[j]) / full.compliance(2, 2);
-        }
-    }
-  }
-};
-
-/// Length or area of the side opposite to a vertex.
-template <int D>
-double sideSize(const BoundElement<D>& element, int opposite) {
-  Eigen::Matrix<double, D, D> corners;
-  for (int i = 0, j = 0; i <= D; ++i)
-    if (i != opposite) corners.col(j++) = element.places.col(i);
-  if constexpr (D == 2)
-    return (corners.col(1) - corners.col(0)).norm();
-  else
-    return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).norm() / 2;
-}
-
-/// Energy of the elastic supports of an element whose nodes are displaced.
-template <int D>
-double energyOfSupports(const BoundParts<D>& parts, const BoundElement<D>& element, const typename SimplexField<D>::Nodal& nodal) {
-  double energy = 0.0;
-  for (int a = 0; a <= D; ++a) {
-    if (element.boundary[a] < 0 || !parts.boundary[element.boundary[a]].isSupported()) continue;
-    Eigen::Matrix<double, D, 6> moved = Eigen::Matrix<double, D, 6>::Zero();
-    for (int j = 0; j < SimplexNodes<D>::sideNodes(parts.kind.order); ++j) moved.col(j) = nodal.col(SimplexNodes<D>::ofSide(a, j));
-    energy += supportEnergy(parts.boundary[element.boundary[a]], parts.kind.order, sideSize(element, a), moved);
-  }
-  return energy;
-}
-
 /// Forces at the nodes of a quadrilateral, and at the middle of its diagonal.
 using CellForces = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 10>;
 
@@ -102,15 +39,6 @@ CellForces withNewNode(Cell cell, const CellParts<2>& parts, const CellForces& f
     all.col(middle).setZero();
   }
   return all;
-}
-
-/// The forces of the stresses and the source of a simplex alone.
-template <int D>
-typename SimplexField<D>::Nodal forcesOfStresses(const BoundElement<D>& own, const BoundKind& kind) {
-  const SimplexField<D> field(own.places);
-  Eigen::Matrix<double, D, D + 1> sources = own.sources;
-  if (kind.degree == 1) sources.colwise() = own.sources.col(0).eval();
-  return field.forces(own.stresses, kind.order) - field.forcesOfSources(sources, kind.order);
 }
 
 template <int D>
@@ -165,7 +93,7 @@ class Collector {
       BoundElement<D>& element = result_.elements.emplace_back();
       const Ordered nodes = orderedNodes(mesh, e, element);
       const SimplexField<D> field(element.places);
-      const Law<D>& law = lawOf(mesh, e);
+      const SimplexLaw<D>& law = lawOf(mesh, e);
       element.compliance = law.compliance;
       addStresses(e, nodes, displacement, initial, law, field, element);
       if (!law.isFull || !nodes.isStraight || mesh.axisymmetric || initial.isIn(e))
@@ -190,7 +118,7 @@ class Collector {
   void addQuadrilateral(int m, int e, const Vector& displacement, const Vector& balanced, bool corrected, const InitialState& initial,
                         const std::vector<const Load*>& loads, Vector& scratch, const SideConditions<2>& conditions) {
     const SubdomainMesh& mesh = solution_.meshes[m];
-    const Law<2>& law = lawOf(mesh, e);
+    const SimplexLaw<2>& law = lawOf(mesh, e);
     const CellParts<2> parts = cellParts<2>(mesh, e);
     const bool isCurved = isCurvedCell(mesh, e);
     if (isCurved) result_.reasons.insert(kCurvedSides);
@@ -234,7 +162,7 @@ class Collector {
     }
   }
 
-  std::array<BoundElement<2>, 2> trianglesOf(const SubdomainMesh& mesh, int e, const CellParts<2>& parts, const Law<2>& law,
+  std::array<BoundElement<2>, 2> trianglesOf(const SubdomainMesh& mesh, int e, const CellParts<2>& parts, const SimplexLaw<2>& law,
                                              const std::vector<const Load*>& loads) {
     const Span<const int> all = mesh.nodesOf(e);
     std::array<BoundElement<2>, 2> triangles;
@@ -280,7 +208,7 @@ class Collector {
   }
 
   /// Forces of a quadrilateral, by its form, on its nodes.
-  static CellForces forcesOfCell(const SubdomainMesh& mesh, int e, const Vector& u, const InitialState& initial, const Law<2>& law) {
+  static CellForces forcesOfCell(const SubdomainMesh& mesh, int e, const Vector& u, const InitialState& initial, const SimplexLaw<2>& law) {
     CellForces forces = CellForces::Zero(2, int(mesh.nodesOf(e).size()));
     const ReferenceElement& reference = stiffnessElement(mesh, e);
     ElementStress<2> stress(mesh, e, reference, law.ofElements, u, initial);
@@ -351,22 +279,22 @@ class Collector {
     }
   }
 
-  const Law<D>& lawOf(const SubdomainMesh& mesh, int e) {
+  const SimplexLaw<D>& lawOf(const SubdomainMesh& mesh, int e) {
     const Material& material = solution_.model.materialOf(mesh, e, mesh.body);
     const bool isMixed = material.element == ElementForm::Mixed && !(material.enhanced && mayBeEnhanced(mesh.cells[e]));
     if (&material == lastMaterial_ && isMixed == lastIsMixed_) return *lastLaw_;
     auto& law = laws_[&material];
     lastIsMixed_ = isMixed;
     if (isMixed) result_.reasons.insert("elements have a separate pressure (Mixed), which differs from that of their displacements");
-    if (!law) law = std::make_unique<Law<D>>(material, solution_.model.plane);
+    if (!law) law = std::make_unique<SimplexLaw<D>>(material, solution_.model.plane);
     lastMaterial_ = &material;
     lastLaw_ = law.get();
     return *law;
   }
 
   /// Forces by the quadrature of the stiffness, for every form and geometry of the elements.
-  void addForces(const SubdomainMesh& mesh, int e, const Ordered& nodes, const Vector& u, const InitialState& initial, const Law<D>& law,
-                 BoundElement<D>& element) {
+  void addForces(const SubdomainMesh& mesh, int e, const Ordered& nodes, const Vector& u, const InitialState& initial,
+                 const SimplexLaw<D>& law, BoundElement<D>& element) {
     element.forces.setZero();
     const ReferenceElement& reference = stiffnessElement(mesh, e);
     ElementStress<D> stress(mesh, e, reference, law.ofElements, u, initial);
@@ -455,15 +383,15 @@ class Collector {
     return all;
   }
 
-  void addStresses(int e, const Ordered& nodes, const Vector& u, const InitialState& initial, const Law<D>& law,
+  void addStresses(int e, const Ordered& nodes, const Vector& u, const InitialState& initial, const SimplexLaw<D>& law,
                    const SimplexField<D>& field, BoundElement<D>& element) {
     element.stresses = law.stiffness * field.strains(nodal(u, nodes), result_.kind.order);
     result_.solutionNorm += field.energy(element.stresses, element.compliance);
     if (initial.isIn(e)) addInitialStress(e, initial, law, element);
   }
 
-  void addInitialStress(int e, const InitialState& initial, const Law<D>& law, BoundElement<D>& element) const {
-    const auto c = componentsOf<D>();
+  void addInitialStress(int e, const InitialState& initial, const SimplexLaw<D>& law, BoundElement<D>& element) const {
+    const auto c = stressPlaces<D>();
     for (int q = 0; q <= D; ++q) {
       Point at{0, 0, 0};
       const Place place = result_.kind.degree == 1 ? Place(element.places.rowwise().mean()) : Place(element.places.col(q));
@@ -477,9 +405,9 @@ class Collector {
   const BoundedSolution& solution_;
   const BoundaryParts& parts_;
   BoundParts<D> result_;
-  std::map<const Material*, std::unique_ptr<Law<D>>> laws_;
+  std::map<const Material*, std::unique_ptr<SimplexLaw<D>>> laws_;
   const Material* lastMaterial_ = nullptr;
-  const Law<D>* lastLaw_ = nullptr;
+  const SimplexLaw<D>* lastLaw_ = nullptr;
   bool lastIsMixed_ = false;
 };
 
@@ -513,6 +441,14 @@ std::array<int, SimplexNodes<D>::most> nodesOfSimplex(const BoundParts<D>& parts
 }
 
 template <int D>
+typename SimplexField<D>::Nodal forcesOfStresses(const BoundElement<D>& element, const BoundKind& kind) {
+  const SimplexField<D> field(element.places);
+  Eigen::Matrix<double, D, D + 1> sources = element.sources;
+  if (kind.degree == 1) sources.colwise() = element.sources.col(0).eval();
+  return field.forces(element.stresses, kind.order) - field.forcesOfSources(sources, kind.order);
+}
+
+template <int D>
 void addForcesOf(const SubdomainMesh& mesh, int m, int e, const Matrix& forces, BoundParts<D>& parts) {
   const CellParts<D> cut = cellParts<D>(mesh, e);
   BoundElement<D>* first = &parts.elements[parts.ofMesh[m][e]];
@@ -528,71 +464,6 @@ void addForcesOf(const SubdomainMesh& mesh, int m, int e, const Matrix& forces, 
   }
 }
 
-namespace {
-
-/// Lifts of the nodes of a mesh, by local numbers.
-std::map<int, Point> liftsIn(const SubdomainMesh& mesh, const std::map<GlobalId, Point>& lifts) {
-  std::map<int, Point> here;
-  for (const auto& [node, value] : lifts) {
-    const auto found = std::lower_bound(mesh.globalNodes.begin(), mesh.globalNodes.end(), node);
-    if (found != mesh.globalNodes.end() && *found == node) here[int(found - mesh.globalNodes.begin())] = value;
-  }
-  return here;
-}
-
-/// Displacements at the nodes of a simplex of a cell; the middle of a diagonal moves with its ends.
-template <int D>
-typename SimplexField<D>::Nodal liftsOfSimplex(const Span<const int>& ofCell, const typename CellParts<D>::Part& part, int order,
-                                               const std::map<int, Point>& lifts) {
-  typename SimplexField<D>::Nodal nodal = SimplexField<D>::Nodal::Zero();
-  for (int i = 0; i < SimplexNodes<D>::nodes(order); ++i) {
-    const int node = part.nodes[i];
-    if (node >= int(ofCell.size())) {
-      const auto& ends = SimplexNodes<D>::ends[i - D - 1];
-      nodal.col(i) = 0.5 * (nodal.col(ends[0]) + nodal.col(ends[1]));
-      continue;
-    }
-    const auto found = lifts.find(ofCell[node]);
-    for (int k = 0; k < D && found != lifts.end(); ++k) nodal(k, i) = found->second[k];
-  }
-  return nodal;
-}
-
-}  // namespace
-
-/// On simplices the lifts are displacements of the elements, and the work of their forces is that of the contact forces. On quadrilaterals
-/// they are not: there u_h is replaced by its interpolant, and the difference of the works is added.
-template <int D>
-Lifts liftParts(const BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts) {
-  Lifts result;
-  result.squares = Vector::Zero(Eigen::Index(parts.elements.size()));
-  if (lifts.empty()) return result;
-  for (std::size_t m = 0; m < solution.meshes.size(); ++m) {
-    const SubdomainMesh& mesh = solution.meshes[m];
-    const std::map<int, Point> here = liftsIn(mesh, lifts);
-    for (int e = 0; e < mesh.elements() && !here.empty(); ++e) {
-      const Span<const int> all = mesh.nodesOf(e);
-      if (std::none_of(all.begin(), all.end(), [&](int node) { return here.count(node) > 0; })) continue;
-      const CellParts<D> cut = cellParts<D>(mesh, e);
-      const Law<D> law(solution.model.materialOf(mesh, e, mesh.body), solution.model.plane);
-      for (std::size_t t = 0; t < cut.parts.size(); ++t) {
-        const int number = parts.ofMesh[m][e] + int(t);
-        const BoundElement<D>& element = parts.elements[number];
-        const SimplexField<D> field(element.places);
-        const auto nodal = liftsOfSimplex<D>(all, cut.parts[t], parts.kind.order, here);
-        const typename SimplexField<D>::AtVertices change = law.stiffness * field.strains(nodal, parts.kind.order);
-        result.squares[number] = field.energy(change, element.compliance) + energyOfSupports(parts, element, nodal);
-        if (isSimplex(mesh.cells[e])) continue;
-        const int count = SimplexNodes<D>::nodes(parts.kind.order);
-        const typename SimplexField<D>::Nodal more = forcesOfStresses(element, parts.kind) - element.forces;
-        result.energy += more.leftCols(count).cwiseProduct(nodal.leftCols(count)).sum();
-      }
-      if (!isSimplex(mesh.cells[e])) result.energy -= parts.interpolation[m][e] / 2;
-    }
-  }
-  return result;
-}
-
 void raiseDegree(BoundParts<2>& parts) {
   if (parts.kind.order == parts.kind.degree) return;
   for (SideCondition<2>& side : parts.boundary) {
@@ -605,8 +476,8 @@ void raiseDegree(BoundParts<2>& parts) {
   template struct BoundParts<D>;                                                                                                  \
   template BoundParts<D> boundParts(const BoundedSolution&, const BoundaryParts&, const BoundKind&);                              \
   template std::array<int, SimplexNodes<D>::most> nodesOfSimplex(const BoundParts<D>&, const SubdomainMesh&, const PlaceOfSide&); \
-  template void addForcesOf(const SubdomainMesh&, int, int, const Matrix&, BoundParts<D>&);                                       \
-  template Lifts liftParts(const BoundParts<D>&, const BoundedSolution&, const std::map<GlobalId, Point>&);
+  template typename SimplexField<D>::Nodal forcesOfStresses(const BoundElement<D>&, const BoundKind&);                            \
+  template void addForcesOf(const SubdomainMesh&, int, int, const Matrix&, BoundParts<D>&);
 SUTURE_BOUND_PARTS(2)
 SUTURE_BOUND_PARTS(3)
 #undef SUTURE_BOUND_PARTS

@@ -1,9 +1,9 @@
 #pragma once
 #include <suture/answer/bound/BoundElements.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
+#include <suture/answer/bound/SimplexField.hpp>
 
 #include <array>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -44,19 +44,13 @@ BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& p
 template <int D>
 std::array<int, SimplexNodes<D>::most> nodesOfSimplex(const BoundParts<D>& parts, const SubdomainMesh& mesh, const PlaceOfSide& place);
 
+/// Nodal forces of the stresses and the source of a simplex alone. Local.
+template <int D>
+typename SimplexField<D>::Nodal forcesOfStresses(const BoundElement<D>& element, const BoundKind& kind);
+
 /// Nodal forces of an element, which are in balance, are added to those of its simplices. Local. \param forces  D x nodes of the element
 template <int D>
 void addForcesOf(const SubdomainMesh& mesh, int m, int e, const Matrix& forces, BoundParts<D>& parts);
-
-/// Displacements of some nodes, of the degree of the elements on each simplex.
-struct Lifts {
-  Vector squares;       ///< square of the energy norm, for each simplex [energy]
-  double energy = 0.0;  ///< change of the potential energy over this rank, without half the squares and the work of contact forces [energy]
-};
-
-/// Local; before other forces are added to those of the solution. \param lifts  node of the mesh -> displacement
-template <int D>
-Lifts liftParts(const BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts);
 
 /// Values at the nodes of the sides at the boundary, of the degree of the elements, are completed to the degree of the stresses. Local.
 void raiseDegree(BoundParts<2>& parts);

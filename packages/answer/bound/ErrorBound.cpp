@@ -1,4 +1,5 @@
 #include <suture/answer/bound/AirySweeps.hpp>
+#include <suture/answer/bound/BoundLifts.hpp>
 #include <suture/answer/bound/ContactTractions.hpp>
 #include <suture/answer/bound/EquilibratedTractions.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
