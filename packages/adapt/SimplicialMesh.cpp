@@ -6,6 +6,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/ShapeFunctions.hpp>
+#include <suture/mesh/SplitCell.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,8 @@ namespace suture {
 namespace {
 
 constexpr double kSound = 0.02;  // volume of a tetrahedron over that of its cell with which an order of the vertices is accepted at once
-constexpr double kEqualPlaces = 1e-9;  // lengths of diagonals and coordinates of vertices that count as equal, relative
+constexpr double kEqualPlaces = 1e-9;  // coordinates of vertices that count as equal, relative
 constexpr double kFlat = 1e-6;         // volume of a tetrahedron over that of its cell below which it counts as inverted
-
-/// Local vertices of a simplex of a cell.
-using Simplex = std::array<int, 4>;
 
 /// Order of all vertices, by coordinates up to round-off. Opposite vertices of a contact have the coordinates of one of them.
 class VertexOrder {
@@ -66,23 +64,8 @@ class Cutter {
  public:
   Cutter(const Mesh& mesh, const VertexOrder& order) : mesh_(mesh), order_(order) {}
 
-  /// Simplices of an element, positive if the cell is convex.
-  std::vector<Simplex> cut(int e) const {
-    const CellInfo& cell = cellInfo(mesh_.cells[e]);
-    const Span<const int> nodes = mesh_.nodesOf(e);
-    if (isSimplex(mesh_.cells[e])) return {{0, 1, 2, cell.dimension == 3 ? 3 : -1}};
-    if (cell.dimension == 2) return cutQuadrilateral(nodes);
-    const int lowest = lowestOf(nodes, {0, 1, 2, 3, 4, 5, 6, 7}, cell.vertices);
-    std::vector<Simplex> found;
-    for (const std::vector<int>& side : cell.sideNodes) {
-      const std::vector<int> corners = verticesOf(side, cell);
-      if (std::find(corners.begin(), corners.end(), lowest) != corners.end()) continue;
-      const int count = static_cast<int>(corners.size());
-      const int apex = count == 3 ? corners[0] : lowestOf(nodes, corners, 4);
-      const int at = static_cast<int>(std::find(corners.begin(), corners.end(), apex) - corners.begin());
-      for (int k = 1; k + 1 < count; ++k) found.push_back({apex, corners[(at + k + 1) % count], corners[(at + k) % count], lowest});
-    }
-    return found;
+  std::vector<CellSimplex> cut(int e) const {
+    return splitCell(mesh_, e, [this](int a, int b) { return order_.isLower(a, b); });
   }
 
   /// Smallest volume of the element's tetrahedra, over the element's volume.
@@ -90,7 +73,7 @@ class Cutter {
     const Span<const int> nodes = mesh_.nodesOf(e);
     const double whole = signedSize(mesh_, e);
     double least = std::numeric_limits<double>::infinity();
-    for (const Simplex& part : cut(e)) {
+    for (const CellSimplex& part : cut(e)) {
       const Point a = mesh_.point(nodes[part[0]]), u = minus(mesh_.point(nodes[part[1]]), a), v = minus(mesh_.point(nodes[part[2]]), a);
       least = std::min(least, dot(cross(u, v), minus(mesh_.point(nodes[part[3]]), a)) / 6);
     }
@@ -98,26 +81,6 @@ class Cutter {
   }
 
  private:
-  static std::vector<int> verticesOf(const std::vector<int>& side, const CellInfo& cell) {
-    std::vector<int> vertices;
-    for (const int local : side)
-      if (local < cell.vertices) vertices.push_back(local);
-    return vertices;
-  }
-
-  int lowestOf(const Span<const int>& nodes, const std::vector<int>& locals, int count) const {
-    return *std::min_element(locals.begin(), locals.begin() + count, [&](int a, int b) { return order_.isLower(nodes[a], nodes[b]); });
-  }
-
-  std::vector<Simplex> cutQuadrilateral(const Span<const int>& nodes) const {
-    const double one = norm(minus(mesh_.point(nodes[2]), mesh_.point(nodes[0])));
-    const double other = norm(minus(mesh_.point(nodes[3]), mesh_.point(nodes[1])));
-    const bool equal = std::abs(one - other) <= kEqualPlaces * one;
-    const bool even = equal ? lowestOf(nodes, {0, 1, 2, 3}, 4) % 2 == 0 : one < other;
-    if (even) return {{0, 1, 2, -1}, {0, 2, 3, -1}};
-    return {{0, 1, 3, -1}, {1, 2, 3, -1}};
-  }
-
   const Mesh& mesh_;
   const VertexOrder& order_;
 };
@@ -146,19 +109,6 @@ void chooseOrder(const Mesh& mesh, VertexOrder& order) {
                                " too warped to be cut into tetrahedra of positive volume; expected sides closer to planes");
 }
 
-/// Node of a cell of second order between two of its vertices: on an edge, at the centre of a side or of the cell; -1 if it has none.
-int middleOf(Cell type, int i, int j) {
-  const CellInfo& cell = cellInfo(type);
-  if (cell.order == 1) return -1;
-  for (std::size_t k = 0; k < cell.edges.size(); ++k)
-    if (std::minmax(cell.edges[k][0], cell.edges[k][1]) == std::minmax(i, j)) return cell.vertices + static_cast<int>(k);
-  if (type == Cell::Quadrilateral9) return 8;
-  if (type != Cell::Hexahedron27) return -1;
-  for (const std::vector<int>& side : cell.sideNodes)
-    if (std::count(side.begin(), side.end(), i) > 0 && std::count(side.begin(), side.end(), j) > 0) return side.back();
-  return cell.nodes - 1;
-}
-
 template <int D>
 class Builder {
  public:
@@ -175,7 +125,7 @@ class Builder {
     mesh().bodyOfNode = old_.bodyOfNode;
     for (int e = 0; e < old_.elements(); ++e) {
       first_.push_back(mesh().elements());
-      for (const Simplex& part : cutter_.cut(e)) append(e, part);
+      for (const CellSimplex& part : cutter_.cut(e)) append(e, part);
     }
     first_.push_back(mesh().elements());
     passOnGroups();
@@ -187,7 +137,7 @@ class Builder {
  private:
   Mesh& mesh() { return result_.mesh; }
 
-  void append(int e, const Simplex& part) {
+  void append(int e, const CellSimplex& part) {
     const Cell linear = D == 2 ? Cell::Triangle3 : Cell::Tetrahedron4, quadratic = D == 2 ? Cell::Triangle6 : Cell::Tetrahedron10;
     const Span<const int> nodes = old_.nodesOf(e);
     mesh().cells.push_back(order_ == 1 ? linear : quadratic);
@@ -219,7 +169,7 @@ class Builder {
   }
 
   /// Side of the cell on which the side opposite to each vertex of a simplex lies, or -1.
-  static std::array<signed char, D + 1> sidesOf(const CellInfo& cell, const Simplex& part) {
+  static std::array<signed char, D + 1> sidesOf(const CellInfo& cell, const CellSimplex& part) {
     std::array<signed char, D + 1> found;
     found.fill(-1);
     for (int k = 0; k <= D; ++k)

@@ -137,13 +137,14 @@ TEUCHOS_UNIT_TEST(ForceIntervals, SayWhyTheyAreMissing) {
   model.addBody("a", std::make_shared<IsotropicLaw>(IsotropicModuli{kYoungOfColumn, kPoissonOfColumn}));
   std::vector<Condition> held{Condition::displacement("a_bottom", {0, 0}), Condition::displacement("a_left", {0, 0})};
   model.loads = {Load::pressure("a_top", kPressed)};
-  for (const Cell cell : {Cell::Triangle3, Cell::Quadrilateral4}) {
-    const Box box{"a", 0, 1, 0, 1, 4, 4, cell};
+  for (const ElementForm form : {ElementForm::Displacement, ElementForm::Mixed}) {
+    const Box box{"a", 0, 1, 0, 1, 4, 4, Cell::Triangle6};
+    model.materialOfBody.front().element = form;
     const Scene scene = makeScene(model, [box] { return boxes({box}); }, held, {}, {"Output/Strict Error Bars={a_left}"});
     double error = 0.0;
     const std::vector<ForceInterval> found = intervalsOf(scene, error);
     TEST_EQUALITY(found.size(), 1u);
-    TEST_ASSERT(says(found.front().reason, cell == Cell::Triangle3 ? "shares nodes with another support" : "no strict bound"));
+    TEST_ASSERT(says(found.front().reason, form == ElementForm::Displacement ? "shares nodes with another support" : "no strict bound"));
     TEST_ASSERT(!found.front().force[0]);
   }
   TEST_THROW(makeScene(model, [] { return Mesh(); }, held, {}, {"Output/Strict Error Bars={a_lefd}"}), InputError);

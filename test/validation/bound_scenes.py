@@ -6,7 +6,9 @@ from friction_builder import Law, Scene, fill
 from friction_grids import CELLS as CELLS_OF
 from friction_grids import straight
 
-CELLS = ["Triangle3"] * 9 + ["Triangle6"] * 9 + ["Quadrilateral4", "Quadrilateral9"]
+# Both kinds of mixed cells: each part of a body has one of them.
+MIXED = {"Mixed of order 1": ["Triangle3", "Quadrilateral4"], "Mixed of order 2": ["Triangle6", "Quadrilateral8", "Quadrilateral9"]}
+CELLS = ["Triangle3"] * 6 + ["Triangle6"] * 6 + ["Quadrilateral4"] * 3 + ["Quadrilateral8"] * 2 + ["Quadrilateral9"] * 2 + sorted(MIXED) * 2
 SIDES = {"left": ("s0", -1, 0), "right": ("s1", 1, 0), "bottom": ("t0", 0, -1), "top": ("t1", 0, 1)}
 FLAWED = 0.15  # share of scenes with something that makes a bound an estimate
 
@@ -51,7 +53,8 @@ class BoundScene(Scene):
         super().__init__(seed, 2)
         self.refine, self.regions, self.flaws, self.given = refine, {}, [], law
         self.cell = self.random.choice(CELLS)
-        self.order = CELLS_OF[self.cell][1]
+        self.cells = MIXED.get(self.cell, [self.cell])
+        self.order = CELLS_OF[self.cells[0]][1]
         self.model = self.random.choice(["Plane Strain", "Plane Strain", "Plane Stress"])
         self.load *= 0.1  # no side slides by an element of the finer mesh
         self.density = self.random.uniform(4, 9) * (0.6 if self.order == 2 else 1.0)  # cells per length
@@ -66,7 +69,8 @@ class BoundScene(Scene):
         index, self.bodies[name] = {}, young
         for number, (cells, place, sides) in enumerate(patches):
             turned = lambda *at, place=place: tuple(self.length * x for x in self.turned(place(*at)))
-            self.mesh.patch(name, self.cell, [self.refine * n for n in cells], turned, sides, index)
+            cell = self.cells[0] if len(self.cells) == 1 else self.random.choice(self.cells)
+            self.mesh.patch(name, cell, [self.refine * n for n in cells], turned, sides, index)
             if len(patches) > 1 and self.random.random() < 0.25:
                 region = "%s_part_%d" % (name, number)
                 self.regions[region] = name, young * 10 ** self.random.uniform(-1.5, 1.5)
@@ -102,8 +106,9 @@ class BoundScene(Scene):
         return {**super().materials(), **{region: young for region, (_, young) in self.regions.items()}}
 
     def material(self, name, young):
-        """On the finer mesh without mixed elements, since the energy of the reference must lie above that of the exact solution."""
-        plain = ['<Parameter name="Element" type="string" value="Displacement"/>'] if self.soft and self.refine > 1 else []
+        """On the finer mesh elements of displacements only, since the energy of the reference must lie above that of the exact solution."""
+        enhanced = self.soft or "Quadrilateral4" in self.cells
+        plain = ['<Parameter name="Element" type="string" value="Displacement"/>'] if enhanced and self.refine > 1 else []
         return [*super().material(name, young), *plain]
 
     @property

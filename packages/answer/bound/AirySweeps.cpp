@@ -237,7 +237,7 @@ void AirySweeps<K>::listStars() {
   factorBegin_.assign(1, 0);
   starBegin_.reserve(mesh_.vertices() + 1);
   factorBegin_.reserve(mesh_.vertices() + 1);
-  starSides_.reserve(std::size_t(2 * mesh_.sides()));
+  starSides_.reserve(2 * std::size_t(mesh_.sides()));
   for (int v = 0; v < mesh_.vertices(); ++v) {
     const std::size_t begin = starSides_.size();
     if (mesh_.isComplete(v))

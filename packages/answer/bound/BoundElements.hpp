@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <suture/base/Types.hpp>
 
 #include <array>
@@ -7,12 +7,19 @@
 
 namespace suture {
 
+/// Polynomials of a bound.
+struct BoundKind {
+  int order = 1;   ///< degree of elements, nodal forces, and tractions on sides at the boundary
+  int degree = 1;  ///< degree of stresses; 2 if there are quadrilaterals, whose displacements are interpolated by this degree
+};
+
 /// Lagrange nodes of simplices and their sides in the order used by error bounds: vertices in ascending order of their numbers in the mesh,
 /// then the middles of edges.
 template <int D>
 struct SimplexNodes {
   static constexpr int vertices = D + 1;
   static constexpr int edges = D == 2 ? 3 : 6;
+  static constexpr int most = vertices + edges;  ///< nodes of degree 2
   /// Ends of each edge; in 2D edge a is the side opposite to vertex a.
   static constexpr std::array<std::array<int, 2>, 6> ends =
       D == 2 ? std::array<std::array<int, 2>, 6>{{{1, 2}, {0, 2}, {0, 1}, {}, {}, {}}}
@@ -77,6 +84,18 @@ int SimplexNodes<D>::ofSide(int a, int j) {
   if constexpr (D == 2) return vertices + a;
   const int first = j == 4 ? 1 : 0, second = j == 3 ? 1 : 2;
   return vertices + edge(vertex(first), vertex(second));
+}
+
+/// Length or area of the side opposite to a vertex. Local.
+template <int D>
+double sideSize(const BoundElement<D>& element, int opposite) {
+  Eigen::Matrix<double, D, D> corners;
+  for (int i = 0, j = 0; i <= D; ++i)
+    if (i != opposite) corners.col(j++) = element.places.col(i);
+  if constexpr (D == 2)
+    return (corners.col(1) - corners.col(0)).norm();
+  else
+    return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).norm() / 2;
 }
 
 }  // namespace suture

@@ -1,7 +1,9 @@
 #pragma once
 #include <suture/answer/bound/BoundElements.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
+#include <suture/answer/bound/SimplexField.hpp>
 
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,34 +13,50 @@ namespace suture {
 /// A side of an element of this rank at the boundary of the bodies.
 struct PlaceOfSide {
   int mesh = -1, element = -1;
-  int opposite = -1;  ///< vertex of the simplex (BoundElement) opposite to the side
+  int simplex = -1;   ///< BoundElement of which it is a side
+  int opposite = -1;  ///< vertex of the simplex opposite to the side
 };
 
 /// Input of an error bound: simplices of this rank and conditions at the boundary, without the pressures of contacts.
 template <int D>
 struct BoundParts {
-  int degree = 1;
+  BoundKind kind;
   std::vector<BoundElement<D>> elements;
-  std::vector<std::vector<int>> ofMesh;  ///< number of the simplex of each element of each mesh
+  /// Simplices of the elements of each mesh: those of element e are ofMesh[m][e] to ofMesh[m][e + 1] - 1.
+  std::vector<std::vector<int>> ofMesh;
+  /// For each element of each mesh 2 (J(u_h) - J(v)), v the interpolant of u_h on its simplices; empty for meshes of simplices. [energy]
+  std::vector<Vector> interpolation;
   std::vector<SideCondition<D>> boundary;
   std::vector<PlaceOfSide> places;  ///< place of each entry of `boundary`
   /// Entries of `boundary` on each contact (place in BoundaryParts::touching), on sides A and B.
   std::vector<std::vector<int>> onA, onB;
   double solutionNorm = 0.0;      ///< square over this rank [energy]
   double oscillation = 0.0;       ///< square over this rank, estimated [energy]
+  double energyOfForm = 0.0;      ///< potential energy of u_h minus that of the form of the elements, over this rank [energy]
   std::set<std::string> reasons;  ///< why the bound is not strict, found on this rank
 };
 
-/// Local. \param parts  the same on all ranks \param degree  of all elements \throws InputError  a folded element
+/// Local. \param parts  the same on all ranks \param kind  of all elements \throws InputError  a folded element
 template <int D>
-BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, int degree);
+BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, const BoundKind& kind);
 
-/// Squares of the energy norm of the displacements of some nodes, for each simplex. Local. \param lifts  node of the mesh -> displacement
+/// Nodes of the mesh at the nodes of a simplex; -1: none. Local.
 template <int D>
-Vector liftEnergies(const BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts);
+std::array<int, SimplexNodes<D>::most> nodesOfSimplex(const BoundParts<D>& parts, const SubdomainMesh& mesh, const PlaceOfSide& place);
 
-/// True if all cells of this rank are triangles or tetrahedra. Local. \param degrees  the least and the largest order: extended by the
-/// cells
-bool areSimplices(const std::vector<SubdomainMesh>& meshes, std::array<int, 2>& degrees);
+/// Nodal forces of the stresses and the source of a simplex alone. Local.
+template <int D>
+typename SimplexField<D>::Nodal forcesOfStresses(const BoundElement<D>& element, const BoundKind& kind);
+
+/// Nodal forces of an element, which are in balance, are added to those of its simplices. Local. \param forces  D x nodes of the element
+template <int D>
+void addForcesOf(const SubdomainMesh& mesh, int m, int e, const Matrix& forces, BoundParts<D>& parts);
+
+/// Values at the nodes of the sides at the boundary, of the degree of the elements, are completed to the degree of the stresses. Local.
+void raiseDegree(BoundParts<2>& parts);
+
+/// True if all cells of this rank are triangles, quadrilaterals or tetrahedra. Local.
+/// \param orders  the least and the largest order: extended by the cells \param simplices  false if there are quadrilaterals
+bool canBeBounded(const std::vector<SubdomainMesh>& meshes, std::array<int, 2>& orders, bool& simplices);
 
 }  // namespace suture

@@ -16,23 +16,10 @@ std::vector<TouchingSide> touchingSides(const Comm& comm, const BoundedSolution&
     TouchingSide side{contact, comm.getRank(), number, int(onA)};
     const PlaceOfSide& place = parts.places[number];
     const SubdomainMesh& mesh = solution.meshes[place.mesh];
-    const BoundElement<D>& element = parts.elements[parts.ofMesh[place.mesh][place.element]];
-    const Span<const int> nodes = mesh.nodesOf(place.element);
-    const CellInfo& cell = cellInfo(mesh.cells[place.element]);
-    const auto local = [&](GlobalId id) {
-      return int(std::find_if(nodes.begin(), nodes.end(), [&](int n) { return mesh.globalNodes[n] == id; }) - nodes.begin());
-    };
-    for (int j = 0; j < Nodes::sideNodes(parts.degree); ++j) {
-      const int node = Nodes::ofSide(place.opposite, j);
-      int at = 0;
-      if (node <= D) {
-        at = nodes[local(element.vertices[node])];
-      } else {
-        const int a = local(element.vertices[Nodes::ends[node - D - 1][0]]), b = local(element.vertices[Nodes::ends[node - D - 1][1]]);
-        for (std::size_t i = 0; i < cell.edges.size(); ++i)
-          if ((cell.edges[i][0] == a && cell.edges[i][1] == b) || (cell.edges[i][0] == b && cell.edges[i][1] == a))
-            at = nodes[cell.vertices + int(i)];
-      }
+    const BoundElement<D>& element = parts.elements[place.simplex];
+    const auto nodes = nodesOfSimplex(parts, mesh, place);
+    for (int j = 0; j < Nodes::sideNodes(parts.kind.order); ++j) {
+      const int at = nodes[Nodes::ofSide(place.opposite, j)];
       side.nodes[j] = mesh.globalNodes[at];
       side.places[j] = mesh.point(at);
       for (int k = 0; k < D; ++k) side.moved[j][k] = mesh.total(solution.displacement[place.mesh], D * Eigen::Index(at) + k);
@@ -45,11 +32,12 @@ std::vector<TouchingSide> touchingSides(const Comm& comm, const BoundedSolution&
     if (dot(normal, minus(side.places[0], opposite)) < 0) normal = scaled(-1.0, normal);
     side.normal = unit(normal);
     side.young = 1.0 / element.compliance.diagonal().minCoeff();
-    const int vertex = nodes[local(element.vertices[place.opposite])];
     for (const Coating& coating : mesh.coatings) {
       if (!onA || coating.contact != contacts.touching[contact].line || coating.element != place.element) continue;
       const std::vector<int> inner = mesh.innerNodes(coating);
-      if (std::find(inner.begin(), inner.end(), vertex) == inner.end()) side.stiffness = coating.normal;
+      bool covers = true;
+      for (int j = 0; j < D; ++j) covers = covers && std::count(inner.begin(), inner.end(), nodes[Nodes::ofSide(place.opposite, j)]) > 0;
+      if (covers) side.stiffness = coating.normal;
     }
     all.push_back(side);
   };

@@ -125,7 +125,7 @@ ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solut
                                   BoundParts<D>& parts) {
   if (contacts.touching.empty()) return {};
   std::vector<SideTraction> tractions;
-  ContactTractions result = agreedTractions(comm, solution, contacts, laws, {D, parts.degree},
+  ContactTractions result = agreedTractions(comm, solution, contacts, laws, {D, parts.kind.order},
                                             touchingSides(comm, solution, contacts, parts), tractions, parts.reasons);
   for (const SideTraction& own : tractions) {
     if (own.rank != comm.getRank()) continue;
@@ -134,7 +134,7 @@ ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solut
       side.known = 0;
       continue;
     }
-    for (int j = 0; j < SimplexNodes<D>::sideNodes(parts.degree); ++j)
+    for (int j = 0; j < SimplexNodes<D>::sideNodes(parts.kind.order); ++j)
       for (int k = 0; k < D; ++k) side.traction(k, j) += own.values[j][k];
   }
   return result;

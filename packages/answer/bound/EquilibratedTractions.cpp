@@ -66,7 +66,7 @@ class NodeStar {
     unsigned unknown = all;
   };
 
-  int sideNodes() const { return SimplexNodes<D>::sideNodes(mesh_.degree()); }
+  int sideNodes() const { return SimplexNodes<D>::sideNodes(mesh_.order()); }
   void addSide(int place, int s, int j, double sign) {
     for (OfSide& side : sides_)
       if (side.side == s) {
@@ -199,7 +199,7 @@ void setGiven(const SideCondition<D>& boundary, double sign, Eigen::Matrix<doubl
 template <int D, int count>
 Matrix averagedMoments(const StarMesh<D>& mesh) {
   using Tractions = Eigen::Matrix<double, D, count>;
-  const Eigen::Matrix<double, count, count> mass = sideMass(D, mesh.degree());
+  const Eigen::Matrix<double, count, count> mass = sideMass(D, mesh.order());
   Matrix moments(D * count, mesh.sides());
   for (int s = 0; s < mesh.sides(); ++s) {
     const auto& both = mesh.elementsOfSide(s);
@@ -232,11 +232,19 @@ Matrix averagedMoments(const StarMesh<D>& mesh) {
 template <int D, int count>
 void toTractions(const StarMesh<D>& mesh, Matrix& moments) {
   using Tractions = Eigen::Matrix<double, D, count>;
-  const Eigen::Matrix<double, count, count> inverse = sideMass(D, mesh.degree()).inverse();
+  const Eigen::Matrix<double, count, count> inverse = sideMass(D, mesh.order()).inverse();
   for (int s = 0; s < mesh.sides(); ++s) {
     Eigen::Map<Tractions> own(moments.col(s).data());
     own = (own * inverse / mesh.size(s)).eval();
   }
+}
+
+/// Linear tractions on the sides of triangles by their values at the nodes of degree 2.
+Matrix ofDegree2(const Matrix& linear) {
+  Matrix values(6, linear.cols());
+  values.topRows<4>() = linear;
+  values.bottomRows<2>() = 0.5 * (linear.topRows<2>() + linear.bottomRows<2>());
+  return values;
 }
 
 /// Force at a node that no tractions balance.
@@ -266,13 +274,13 @@ std::vector<RestAtNode> balance(const StarMesh<D>& mesh, Matrix& moments) {
       const double rest = planar.balanceVertex(v);
       note(rest < 0.0 ? balanceVertex(v) : rest, v, mesh.counts(v));
     }
-    if (mesh.degree() == 1) return rests;
+    if (mesh.order() == 1) return rests;
     for (int s = 0; s < mesh.sides(); ++s)
       if (mesh.elementsOfSide(s)[0] < mesh.own()) note(planar.balanceMiddle(s), mesh.verticesOfSide(s)[0], mesh.countsSide(s));
   } else {
     for (int v = 0; v < mesh.vertices(); ++v)
       if (mesh.isComplete(v)) note(balanceVertex(v), v, mesh.counts(v));
-    if (mesh.degree() == 1) return rests;
+    if (mesh.order() == 1) return rests;
     mesh.forEachEdge([&](int v, int w, const std::vector<int>& simplices, bool isOwn) {
       star.clear();
       for (const int e : simplices) {
@@ -291,13 +299,13 @@ std::vector<RestAtNode> balance(const StarMesh<D>& mesh, Matrix& moments) {
 template <int D>
 EquilibratedTractions<D> equilibratedTractions(const StarMesh<D>& mesh) {
   constexpr int linear = SimplexNodes<D>::sideNodes(1), quadratic = SimplexNodes<D>::sideNodes(2);
-  const int nodes = SimplexNodes<D>::nodes(mesh.degree());
+  const int nodes = SimplexNodes<D>::nodes(mesh.order());
   EquilibratedTractions<D> result;
   double largest = 0.0;
   std::vector<RestAtNode> rests;
   collectively(mesh.comm(), "balancing tractions", [&] {
     for (int e = 0; e < mesh.own(); ++e) largest = std::max(largest, mesh.element(e).forces.leftCols(nodes).cwiseAbs().maxCoeff());
-    result.values = mesh.degree() == 1 ? averagedMoments<D, linear>(mesh) : averagedMoments<D, quadratic>(mesh);
+    result.values = mesh.order() == 1 ? averagedMoments<D, linear>(mesh) : averagedMoments<D, quadratic>(mesh);
     rests = balance(mesh, result.values);
   });
   const double mine = largest;
@@ -317,10 +325,11 @@ EquilibratedTractions<D> equilibratedTractions(const StarMesh<D>& mesh) {
     if (largest > 0.0 && all[i] / largest > result.rest)
       result.rest = all[i] / largest, result.worst = {all[i + 2], all[i + 3], all[i + 4]};
   }
-  if (mesh.degree() == 1)
+  if (mesh.order() == 1)
     toTractions<D, linear>(mesh, result.values);
   else
     toTractions<D, quadratic>(mesh, result.values);
+  if (mesh.order() < mesh.degree()) result.values = ofDegree2(result.values);
   mesh.exchangeSides(result.values);
   return result;
 }

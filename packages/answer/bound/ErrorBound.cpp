@@ -1,4 +1,5 @@
 #include <suture/answer/bound/AirySweeps.hpp>
+#include <suture/answer/bound/BoundLifts.hpp>
 #include <suture/answer/bound/ContactTractions.hpp>
 #include <suture/answer/bound/EquilibratedTractions.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
@@ -67,20 +68,34 @@ Vector improved(const Mesh& mesh, const Matrix& tractions, int sweeps, double& i
   return stresses.energies();
 }
 
+/// Squared contributions of the elements of each mesh: those of their simplices, and of what the displacement differs from its interpolant.
 template <int D>
-ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws, int degree,
-                   int sweeps) {
+std::vector<Vector> squaresOfElements(const BoundParts<D>& parts, const Vector& squares) {
+  std::vector<Vector> all = parts.interpolation;
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    const std::vector<int>& first = parts.ofMesh[m];
+    if (all[m].size() == 0) all[m] = Vector::Zero(Eigen::Index(first.size()) - 1);
+    for (std::size_t e = 0; e + 1 < first.size(); ++e)
+      for (int t = first[e]; t < first[e + 1]; ++t) all[m][Eigen::Index(e)] += squares[t];
+  }
+  return all;
+}
+
+template <int D>
+ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws,
+                   const BoundKind& kind, int sweeps) {
   BoundParts<D> parts;
   collectively(comm, "bounding the error", [&] {
-    parts = boundParts<D>(solution, contacts, degree);
+    parts = boundParts<D>(solution, contacts, kind);
     if (comm.getRank() == 0) parts.reasons.insert(solution.reasons.begin(), solution.reasons.end());
   });
   const ContactTractions contact = contactTractions<D>(comm, solution, contacts, laws, parts);
-  Vector lifted;
-  collectively(comm, "bounding the error", [&] { lifted = liftEnergies<D>(parts, solution, contact.lifts); });
+  Lifts lifted;
+  collectively(comm, "bounding the error", [&] { lifted = liftParts<D>(parts, solution, contact.lifts); });
   if (!carryRestForces(comm, solution, contact.rests, parts))
     parts.reasons.insert("contact pressures balance the nodal forces only on the average");
-  const StarMesh<D> mesh(comm, solution.meshes, degree, std::move(parts.elements), parts.ofMesh, std::move(parts.boundary));
+  if constexpr (D == 2) raiseDegree(parts);
+  const StarMesh<D> mesh(comm, solution.meshes, kind, std::move(parts.elements), parts.ofMesh, std::move(parts.boundary));
   const EquilibratedTractions<D> tractions = equilibratedTractions(mesh);
   if (tractions.unbalanced > 0) {
     parts.reasons.insert("forces at " + std::to_string(tractions.unbalanced) + (tractions.unbalanced == 1 ? " node are" : " nodes are") +
@@ -92,11 +107,11 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   Vector squares;
   double imbalance = 0.0;
   if constexpr (D == 3)
-    squares = degree == 1 ? improved<TractionSweeps<1>>(mesh, tractions.values, sweeps, imbalance)
-                          : improved<TractionSweeps<2>>(mesh, tractions.values, sweeps, imbalance);
+    squares = kind.degree == 1 ? improved<TractionSweeps<1>>(mesh, tractions.values, sweeps, imbalance)
+                               : improved<TractionSweeps<2>>(mesh, tractions.values, sweeps, imbalance);
   else
-    squares = degree == 1 ? improved<AirySweeps<1>>(mesh, tractions.values, sweeps, imbalance)
-                          : improved<AirySweeps<2>>(mesh, tractions.values, sweeps, imbalance);
+    squares = kind.degree == 1 ? improved<AirySweeps<1>>(mesh, tractions.values, sweeps, imbalance)
+                               : improved<AirySweeps<2>>(mesh, tractions.values, sweeps, imbalance);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, imbalance, Teuchos::outArg(bound.imbalance));
   if (bound.imbalance > kInEquilibrium) parts.reasons.insert("stresses are not exactly in equilibrium");
   bound.exists = true;
@@ -104,20 +119,25 @@ ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const Boun
   bound.strict = bound.reasons.empty();
   bound.solutionNorm = std::sqrt(sumOver(comm, parts.solutionNorm) + contact.layerEnergy);
   bound.oscillation = std::sqrt(sumOver(comm, parts.oscillation));
-  const double stresses = std::max(0.0, sumOver(comm, squares.sum())), lift = sumOver(comm, lifted.sum());
+  const std::vector<Vector> ofElements = squaresOfElements(parts, squares);
+  double ofStresses = 0.0;
+  for (const Vector& of : ofElements) ofStresses += of.sum();
+  const double stresses = std::max(0.0, sumOver(comm, ofStresses)), lift = sumOver(comm, lifted.squares.sum());
   const double square = stresses + contact.liftedGapWork + contact.layerWork + lift;
   // The correction of the solver is orthogonal to the rest before the sweeps, and nearly so after them.
   const double algebraic = solution.balancing ? solution.balancing->energy : 0.0;
   bound.algebraic = std::sqrt(algebraic);
   bound.discretisation = std::sqrt(std::max(0.0, square - algebraic));
   bound.total = std::sqrt(square) + bound.oscillation + kRoundOffOfSolution * bound.solutionNorm;
-  const double energy = solution.energy + contact.layerLift + contact.frictionEnergy;
-  bound.energyUpper = energy + contact.liftWork + lift / 2;
+  const double energy = solution.energy + sumOver(comm, parts.energyOfForm) + contact.layerLift + contact.frictionEnergy;
+  bound.energyUpper = energy + contact.liftWork + sumOver(comm, lifted.energy) + lift / 2;
   bound.energyLower = energy - (stresses + contact.gapWork + contact.layerWork) / 2;
-  for (std::size_t m = 0; m < solution.meshes.size(); ++m) {
-    bound.ofElements.emplace_back(solution.meshes[m].elements());
-    for (int e = 0; e < solution.meshes[m].elements(); ++e)
-      bound.ofElements.back()[e] = std::sqrt(std::max(0.0, squares[parts.ofMesh[m][e]]) + lifted[parts.ofMesh[m][e]]);
+  for (std::size_t m = 0; m < ofElements.size(); ++m) {
+    bound.ofElements.push_back(ofElements[m].cwiseMax(0.0));
+    Vector& own = bound.ofElements.back();
+    for (Eigen::Index e = 0; e < own.size(); ++e)
+      for (int t = parts.ofMesh[m][std::size_t(e)]; t < parts.ofMesh[m][std::size_t(e) + 1]; ++t) own[e] += lifted.squares[t];
+    own = own.cwiseSqrt().eval();
   }
   return bound;
 }
@@ -128,13 +148,19 @@ ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, const C
   const int dimension = agreedDimensionOf(comm, solution.meshes);
   const BoundaryParts parts = broadcastParts(comm, solution.parts);
   if (!parts.isKnown) return notAvailable("the mesh was partitioned by suture_partition");
-  std::array<int, 2> degrees{{2, 1}};
-  const int here[3] = {areSimplices(solution.meshes, degrees) ? 0 : 1, -degrees[0], degrees[1]};
-  int all[3];
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 3, here, all);
-  if (all[0] != 0) return notAvailable("the mesh has cells other than triangles and tetrahedra");
+  std::array<int, 2> orders{{2, 1}};
+  bool simplices = true;
+  const bool covered = canBeBounded(solution.meshes, orders, simplices);
+  const int here[4] = {covered ? 0 : 1, -orders[0], orders[1], simplices ? 0 : 1};
+  int all[4];
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 4, here, all);
+  if (all[0] != 0) return notAvailable("the mesh has cells other than tetrahedra");
   if (-all[1] != all[2]) return notAvailable("the mesh has elements of both orders");
-  return dimension == 3 ? boundOf<3>(comm, solution, parts, laws, all[2], sweeps) : boundOf<2>(comm, solution, parts, laws, all[2], sweeps);
+  if (all[3] != 0 && solution.model.axisymmetric) return notAvailable("the scene is axisymmetric, and its mesh has quadrilaterals");
+  BoundKind kind;
+  kind.order = all[2];
+  kind.degree = all[3] != 0 ? 2 : kind.order;
+  return dimension == 3 ? boundOf<3>(comm, solution, parts, laws, kind, sweeps) : boundOf<2>(comm, solution, parts, laws, kind, sweeps);
 }
 
 }  // namespace suture

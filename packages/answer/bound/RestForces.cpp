@@ -237,27 +237,6 @@ std::optional<std::vector<PatchElement>> forcesOfPatches(const Comm& comm, const
   return Unpacker(scatterFromRoot(comm, bytes)).get<std::vector<PatchElement>>();
 }
 
-/// Adds the forces of an element to those of its simplex.
-template <int D>
-void addForces(const BoundedSolution& solution, const PatchElement& own, BoundParts<D>& parts) {
-  BoundElement<D>& element = parts.elements[parts.ofMesh[own.mesh][own.element]];
-  const CellInfo& cell = cellInfo(solution.meshes[own.mesh].cells[own.element]);
-  const auto vertex = [&](int local) {
-    return int(std::find(element.vertices.begin(), element.vertices.end(), own.nodes[local]) - element.vertices.begin());
-  };
-  for (std::size_t i = 0; i < own.nodes.size(); ++i) {
-    int node = 0;
-    if (int(i) < cell.vertices) {
-      node = vertex(int(i));
-    } else {
-      const auto& ends = cell.edges[i - cell.vertices];
-      const int a = vertex(ends[0]), b = vertex(ends[1]);
-      node = D + 1 + SimplexNodes<D>::edge(std::min(a, b), std::max(a, b));
-    }
-    for (int k = 0; k < D; ++k) element.forces(k, node) += own.values[D * i + k];
-  }
-}
-
 }  // namespace
 
 template <int D>
@@ -265,7 +244,10 @@ bool carryRestForces(const Comm& comm, const BoundedSolution& solution, const st
   if (rests.empty()) return true;
   const std::optional<std::vector<PatchElement>> mine = forcesOfPatches(comm, solution, rests, D);
   if (!mine) return false;
-  for (const PatchElement& own : *mine) addForces(solution, own, parts);
+  for (const PatchElement& own : *mine) {
+    const Eigen::Map<const Matrix> forces(own.values.data(), D, int(own.nodes.size()));
+    addForcesOf<D>(solution.meshes[own.mesh], own.mesh, own.element, forces, parts);
+  }
   return true;
 }
 

@@ -55,11 +55,11 @@ void SideConditions<D>::collect() {
 
 template <int D>
 void SideConditions<D>::findInner() {
-  inner_.assign(std::size_t(mesh_.elements()) * (D + 1), 0);
+  inner_.assign(std::size_t(mesh_.elements()) * kMostSides, 0);
   std::vector<std::vector<std::pair<SideKey, std::size_t>>> open(mesh_.nodes());
   for (int e = 0; e < mesh_.elements(); ++e)
     forEachSide(mesh_, e, [&](const SideKey& key, const Side& side) {
-      const std::size_t own = std::size_t(e) * (D + 1) + side.side;
+      const std::size_t own = std::size_t(e) * kMostSides + side.side;
       for (const auto& [other, number] : open[key.low])
         if (other == key) {
           inner_[own] = inner_[number] = 1;
@@ -67,7 +67,7 @@ void SideConditions<D>::findInner() {
         }
       open[key.low].push_back({key, own});
     });
-  for (const SubdomainMesh::SeamSide& side : mesh_.seamSides) inner_[std::size_t(side.element) * (D + 1) + side.side] = 1;
+  for (const SubdomainMesh::SeamSide& side : mesh_.seamSides) inner_[std::size_t(side.element) * kMostSides + side.side] = 1;
 }
 
 template <int D>

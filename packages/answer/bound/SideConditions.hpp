@@ -12,7 +12,7 @@
 
 namespace suture {
 
-/// Loads, supports and contacts on the sides of the simplices of a subdomain, as an error bound needs them: the given components of the
+/// Loads, supports and contacts on the sides of the elements of a subdomain, as an error bound needs them: the given components of the
 /// traction, and those that are unknown because displacements are prescribed. Local.
 template <int D>
 class SideConditions {
@@ -23,7 +23,7 @@ class SideConditions {
                  std::set<std::string>& reasons);
 
   /// True for a side that two elements share, also with another subdomain.
-  bool isInner(int element, int side) const { return inner_[std::size_t(element) * (D + 1) + side] != 0; }
+  bool isInner(int element, int side) const { return inner_[std::size_t(element) * kMostSides + side] != 0; }
   /// Conditions on a side at the boundary. \param nodes  of the side, in the order of SimplexNodes
   SideCondition<D> of(int element, int side, const std::vector<int>& nodes) const;
   /// Contacts (places in BoundaryParts::touching) of which a side is part of side A, and of side B.
@@ -31,6 +31,7 @@ class SideConditions {
   const std::vector<int>& contactsOnB(int element, int side) const { return at(element, side).onB; }
 
  private:
+  static constexpr int kMostSides = 4;
   /// Places in BoundaryParts, and loads.
   struct OnSide {
     std::vector<const Load*> loads;

@@ -76,6 +76,23 @@ typename SimplexField<D>::Nodal SimplexField<D>::forces(const AtVertices& stress
 }
 
 template <int D>
+typename SimplexField<D>::Nodal SimplexField<D>::forcesOfSources(const Eigen::Matrix<double, D, D + 1>& sources, int degree) const {
+  using Nodes = SimplexNodes<D>;
+  Nodal all = Nodal::Zero();
+  const Eigen::Matrix<double, D, 1> sum = sources.rowwise().sum();
+  if (degree == 1) {
+    all.template leftCols<D + 1>() = volume_ / ((D + 1) * (D + 2)) * (sources.colwise() + sum);
+    return all;
+  }
+  // Means of l_q l_i (2 l_i - 1) and of l_q 4 l_i l_j on a simplex.
+  constexpr double same = D == 2 ? 1.0 / 30 : 0.0, other = -1.0 / 60, atEdge = D == 2 ? 1.0 / 15 : 1.0 / 30;
+  all.template leftCols<D + 1>() = (volume_ * (same - other) * sources).colwise() + volume_ * other * sum;
+  for (int edge = 0; edge < Nodes::edges; ++edge)
+    all.col(D + 1 + edge) = volume_ * atEdge * (sum + sources.col(Nodes::ends[edge][0]) + sources.col(Nodes::ends[edge][1]));
+  return all;
+}
+
+template <int D>
 double SimplexField<D>::energy(const AtVertices& stresses, const Stiffness& compliance) const {
   const Eigen::Matrix<double, stress, 1> sum = stresses.rowwise().sum();
   double squares = sum.dot(compliance * sum);

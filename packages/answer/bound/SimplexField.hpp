@@ -20,6 +20,8 @@ class SimplexField {
   AtVertices strains(const Nodal& displacements, int degree) const;
   /// Integral of B^T s for a linear stress s. \param degree  of the displacements, 1 or 2
   Nodal forces(const AtVertices& stresses, int degree) const;
+  /// Nodal forces of a linear body force, by its values at the vertices. \param degree  of the displacements, 1 or 2
+  Nodal forcesOfSources(const Eigen::Matrix<double, D, D + 1>& sources, int degree) const;
   /// Integral of s.C s for a linear stress s.
   double energy(const AtVertices& stresses, const Stiffness& compliance) const;
 

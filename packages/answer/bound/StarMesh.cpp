@@ -44,7 +44,7 @@ std::map<int, std::vector<int>> elementsForRanks(const Comm& comm, const std::ve
       for (const int node : mesh.nodesOf(e))
         for (const int other : mesh.others(node)) ranks.insert(rankOf.at(other));
       for (const int rank : ranks)
-        if (rank != comm.getRank()) all[rank].push_back(ofMesh[m][e]);
+        for (int t = ofMesh[m][e]; t < ofMesh[m][e + 1] && rank != comm.getRank(); ++t) all[rank].push_back(t);
     }
   }
   for (const int rank : neighbours)
@@ -78,13 +78,10 @@ std::vector<int> ranksOf(const std::vector<GlobalId>& ids, int& different) {
 }  // namespace
 
 template <int D>
-StarMesh<D>::StarMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, int degree, std::vector<BoundElement<D>> elements,
-                      const std::vector<std::vector<int>>& ofMesh, std::vector<SideCondition<D>> boundary)
-    : comm_(comm),
-      degree_(degree),
-      own_(static_cast<int>(elements.size())),
-      elements_(std::move(elements)),
-      boundary_(std::move(boundary)) {
+StarMesh<D>::StarMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const BoundKind& kind,
+                      std::vector<BoundElement<D>> elements, const std::vector<std::vector<int>>& ofMesh,
+                      std::vector<SideCondition<D>> boundary)
+    : comm_(comm), kind_(kind), own_(static_cast<int>(elements.size())), elements_(std::move(elements)), boundary_(std::move(boundary)) {
   rankOf_.assign(elements_.size(), comm.getRank());
   sent_ = elementsForRanks(comm, meshes, ofMesh);
   std::map<int, std::string> messages;

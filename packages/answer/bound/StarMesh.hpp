@@ -19,13 +19,15 @@ class StarMesh {
   static constexpr int sidesOf = D + 1;
 
   /// Exchanges simplices with the ranks that share nodes with this one. Collective.
-  /// \param meshes  of this rank; \param elements  of each mesh \param boundary  SideCondition of all of them
-  StarMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, int degree, std::vector<BoundElement<D>> elements,
+  /// \param meshes  of this rank \param kind  of the bound \param elements  simplices of this rank \param ofMesh  BoundParts::ofMesh
+  /// \param boundary  SideCondition of all of them
+  StarMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const BoundKind& kind, std::vector<BoundElement<D>> elements,
            const std::vector<std::vector<int>>& ofMesh, std::vector<SideCondition<D>> boundary);
 
   const Comm& comm() const { return comm_; }
-  int degree() const { return degree_; }
-  int own() const { return own_; }  ///< the first simplices are those of this rank
+  int degree() const { return kind_.degree; }  ///< degree of stresses
+  int order() const { return kind_.order; }    ///< degree of nodal forces
+  int own() const { return own_; }             ///< the first simplices are those of this rank
   int elements() const { return static_cast<int>(elements_.size()); }
   const BoundElement<D>& element(int e) const { return elements_[e]; }
   int vertices() const { return vertexCount_; }
@@ -71,7 +73,7 @@ class StarMesh {
   void exchange(Matrix& values, bool ofVertices) const;
 
   const Comm& comm_;
-  int degree_;
+  BoundKind kind_;
   int own_ = 0;
   std::vector<BoundElement<D>> elements_;
   std::vector<int> rankOf_;  // rank of each simplex
