@@ -25,7 +25,7 @@ class MovingConstraints {
   /// Motion of a rigid group that its condition still requires, about a present point; components that it leaves free are zero.
   struct Drive {
     Point drawn{0, 0, 0}, point{0, 0, 0}, shift{0, 0, 0}, turn{0, 0, 0};
-    bool turnsAlong = false;  ///< what it leaves free turns with the body
+    bool turnsAlong = false;  ///< the free motions turn with the body
   };
   using Drives = std::map<std::string, Drive>;  // by name of the condition
 

@@ -18,10 +18,11 @@ namespace {
 // The change of shape of a round is of second order in the motion of the round before. Below this fraction of the largest displacement
 // beside the frames it changes forces by less than the default tolerances of the verdict.
 constexpr double kSettled = 1e-6;
-constexpr double kRoundOff = 1e-13;  // of the extent of the scene: bodies without strain
-// Part of the closed pairs that may begin to stick in a step: the slip of a pair counts from the beginning of the step, not from the moment
-// at which it closes. The path of a roller is 2.5e-3, 6e-4 and 3e-5 too long if it moves by .43, .22 and .11 of the width of its contact.
-constexpr double kNewlyStuck = 0.3;
+constexpr double kRoundOff = 1e-13;  // change relative to the extent of the scene, for bodies without strain
+// Part of the closed pairs that may close in a step if pairs stick: the slip of a pair counts from the beginning of the step, not from the
+// moment at which it closes. The path of a roller is 2.5e-3, 6e-4 and 3e-5 too long if it moves by .43, .22 and .11 of the width of its
+// contact.
+constexpr double kNewlyClosed = 0.3;
 constexpr int kMostRounds = 40;  // conforming contacts, whose gap is of the order of the displacements, need up to 27
 
 struct ValueAt {
@@ -168,7 +169,6 @@ void MovingSolver::place(double time) {
   if (!method_ || !method_->rearrange(parts_.run.timers())) {
     method_.reset();
     method_ = preparedMethod(parts_, nullptr, true);
-    ++prepared_;
   }
   parts_.size.interfaceDofs = method_->interfaceUnknowns();
 }
@@ -212,13 +212,10 @@ bool MovingSolver::settles(const Solution& solution) {
       sameStates = sameStates && (found == now_.states.end() ? !pair.state.closed() : found->second.status == pair.state.status);
     }
     now_.states = std::move(states);
-    if (std::getenv("MOVDBG")) {
-      Eigen::Index at;
-      (now_.bodies.placement() + now_.bodies.beside() - before).cwiseAbs().maxCoeff(&at);
-      fprintf(stderr, "HACK change %.3e at node %d (%g %g) scale %.3e same %d\n", change, int(at / 2), drawn_->mesh.point(int(at / 2))[0],
-              drawn_->mesh.point(int(at / 2))[1], scale, int(sameStates));
-    }
-    same = sameStates && change <= kSettled * scale + kRoundOff * extentOf(drawn_->mesh);
+    // Rounds contract at least linearly: what the next one would change follows from the last two.
+    const double next = lastChange_ > 0.0 ? change * std::min(1.0, change / lastChange_) : change;
+    lastChange_ = change;
+    same = sameStates && next <= kSettled * scale + kRoundOff * extentOf(drawn_->mesh);
   });
   broadcastBytes(comm(), &same, sizeof same);
   return same != 0;
@@ -228,6 +225,7 @@ Solution MovingSolver::solve(const Solution*, bool, const std::vector<Vector>*) 
   now_ = accepted_;
   collectivelyOnRoot(comm(), "driving the bodies", [&] { constraints_->drive(parts_.path->presentTime(), now_.bodies); });
   const double time = parts_.path->presentTime();
+  lastChange_ = 0.0;
   int iterations = 0, pcg = 0;
   bool hasStart = !parts_.path->rows.empty();
   for (int round = 1;; ++round) {
@@ -261,16 +259,16 @@ std::vector<StepRow::Frame> MovingSolver::frames() const {
 }
 
 bool MovingSolver::isTooLong(const Solution& solution) const {
-  int sticks = 0, closed = 0;  // pairs that stick and were open before the step; closed pairs
+  int fresh = 0, closed = 0, sticks = 0;
   for (const PairResult& pair : solution.pairs) {
     if (!pair.state.closed()) continue;
     ++closed;
+    sticks += pair.kind.restrictsSliding && pair.state.status == PairStatus::Stick;
     const auto before = accepted_.states.find({pair.line, parts_.constraints.pairs[static_cast<std::size_t>(pair.id)].node()});
-    const bool isNew = before == accepted_.states.end() || !before->second.closed();
-    sticks += isNew && pair.kind.restrictsSliding && pair.state.status == PairStatus::Stick;
+    fresh += before == accepted_.states.end() || !before->second.closed();
   }
   const bool touched = std::any_of(accepted_.states.begin(), accepted_.states.end(), [](const auto& one) { return one.second.closed(); });
-  int tooLong = touched && sticks > kNewlyStuck * closed;
+  int tooLong = touched && sticks > 0 && fresh > kNewlyClosed * closed;
   broadcastBytes(comm(), &tooLong, sizeof tooLong);
   return tooLong != 0;
 }

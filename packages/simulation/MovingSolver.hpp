@@ -55,9 +55,9 @@ class MovingSolver : public StepSolver {
   std::unique_ptr<const MovingConstraints> constraints_;  // on rank 0
   SlipHistory history_;                                   // likewise, of the accepted step
   State accepted_, now_;
+  double lastChange_ = 0.0;           // of shape, in the last round of the step; on rank 0 [length]
   std::vector<int> partOfSubdomain_;  // part of each subdomain of the scene; the same on all ranks
-  std::vector<Point> moments_;        // of the forces at present places minus those at placed ones, by part; likewise
-  int prepared_ = 0;                  // number of times that the method was prepared
+  std::vector<Point> moments_;        // by part: moments that its forces have at the present places in addition to those at the placed ones
 };
 
 }  // namespace suture
