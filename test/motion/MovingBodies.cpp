@@ -1,0 +1,73 @@
+// Frames of bodies that move far, and couples on them.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/motion/MovingBodies.hpp>
+
+#include <cmath>
+#include <support/Blocks.hpp>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+double edgeOf(const Mesh& mesh, int a, int b) { return norm(minus(mesh.point(a), mesh.point(b))); }
+
+TEUCHOS_UNIT_TEST(MovingBodies, LinearRotationsBecomeFiniteOnes) {
+  const Scene scene = scenes::fromBoxes(twoBoxes(4, 2, 1, 1), 100.0, 0.3);
+  MovingBodies bodies(scene.mesh, scene.constraints);
+  TEST_EQUALITY(bodies.frames().size(), 2u);
+  const double angle = 0.7;
+  Vector moved(Eigen::Index(scene.mesh.coordinates.size()));
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    const Point x = scene.mesh.point(node);
+    moved[2 * node] = 0.3 - angle * x[1];
+    moved[2 * node + 1] = -0.2 + angle * x[0];
+  }
+  bodies.absorb(moved);
+  TEST_COMPARE(bodies.beside().cwiseAbs().maxCoeff(), <, 1e-14);
+  const Mesh present = bodies.present();
+  for (int e = 0; e < present.elements(); ++e) {
+    const auto nodes = present.nodesOf(e);
+    TEST_FLOATING_EQUALITY(edgeOf(present, nodes[0], nodes[2]), edgeOf(scene.mesh, nodes[0], nodes[2]), 1e-13);
+  }
+  for (const BodyFrame& frame : bodies.frames()) TEST_FLOATING_EQUALITY(frame.rotation()[2], angle, 1e-13);
+  TEST_ASSERT(present.drawn == scene.mesh.coordinates);
+}
+
+TEUCHOS_UNIT_TEST(MovingBodies, WhatIsLeftTurnsWithTheBody) {
+  const Scene scene = scenes::fromBoxes(twoBoxes(4, 2, 1, 1), 100.0, 0.3);
+  MovingBodies bodies(scene.mesh, scene.constraints);
+  Vector stretched(Eigen::Index(scene.mesh.coordinates.size()));  // along x, about the centre of each body, whose x is the same
+  double centre = 0.0;
+  for (int node = 0; node < scene.mesh.nodes(); ++node) centre += scene.mesh.point(node)[0] / scene.mesh.nodes();
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    stretched[2 * node] = 1e-3 * (scene.mesh.point(node)[0] - centre);
+    stretched[2 * node + 1] = 0.0;
+  }
+  bodies.absorb(stretched);
+  bodies.move(0, {0, 0, 0}, {0, 0, std::acos(-1.0) / 2}, {5, 5, 0});
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    if (bodies.partOf(node) != 0) continue;
+    TEST_COMPARE(std::abs(bodies.beside()[2 * node]), <, 1e-16);
+    TEST_COMPARE(std::abs(bodies.beside()[2 * node + 1] - stretched[2 * node]), <, 1e-15);
+  }
+}
+
+TEUCHOS_UNIT_TEST(MovingBodies, CouplesHaveTheGivenMomentAndNoForce) {
+  const Scene scene = scenes::fromBoxes(twoBoxes(4, 2, 1, 1), 100.0, 0.3);
+  MovingBodies bodies(scene.mesh, scene.constraints);
+  bodies.move(1, {2, 1, 0}, {0, 0, 0.4}, {0, 0, 0});
+  const Mesh placed = bodies.placed();
+  Point force{0, 0, 0}, moment{0, 0, 0};
+  for (const auto& [node, own] : bodies.couple(1, {0, 0, 3})) {
+    TEST_EQUALITY(bodies.partOf(node), 1);
+    force = plus(force, own);
+    moment = plus(moment, cross(placed.point(node), own));
+  }
+  TEST_COMPARE(norm(force), <, 1e-13);
+  TEST_FLOATING_EQUALITY(moment[2], 3.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace suture
