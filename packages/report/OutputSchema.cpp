@@ -49,7 +49,7 @@ Schema outputSchema() {
             Range::atLeast(0))
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
                     "Factor by which suture_plot enlarges the displacements; Automatic: to about a twentieth of the model size, "
-                    "at most such that no gap or hole closes in the picture.")
+                    "at most such that no gap or hole closes in the picture; with Motion = Moving 1.")
       .list("Probes", Schema("Tables of values at points, along lines and on groups, named by the user.").each("<probe>", probeSchema()));
 }
 

@@ -10,7 +10,7 @@ OPEN = 0.2  # fraction of a gap that stays open
 
 def enlargement(run, factor, gaps):
     """(factor, whether gaps limit it): the enlargement given by the user, else by the scene, else such that the largest displacement is
-    about a twentieth of the model size, but at most what the gaps allow.
+    about a twentieth of the model size, but at most what the gaps allow. Bodies that move far are drawn where they are.
 
     \\param gaps  returns (widths, changes of width) of gaps between walls, by the displacements as they are
     """
@@ -19,6 +19,8 @@ def enlargement(run, factor, gaps):
         try:
             factor = float(given)
         except (TypeError, ValueError):
+            if run.parameter("Motion", default="Small") == "Moving":
+                return 1.0, False  # where the bodies are
             return automatic(run, gaps)
     return factor, False
 
