@@ -107,10 +107,9 @@ void PathFollower::goOnFromStart(Solution& before) {
 /// Accepts a step and writes its row, work, fields and checkpoint.
 void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRow row) {
   const double tolerance = requestedAccuracy(scene().settings(), solution);
-  if (solver_.keepsPairs())
-    timed(timers(), "verify", [&] {
-      meter_.add({parts_.cut.meshes, scene().model, solution.displacement, solution.pairs, parts_.cut.whole.pieces, tolerance});
-    });
+  timed(timers(), "verify", [&] {
+    meter_.add({parts_.cut.meshes, scene().model, solution.displacement, solution.pairs, parts_.cut.whole.pieces, tolerance});
+  });
   row.work = meter_.work();
   row.residual = solution.residual;
   row.energy = solution.energy;

@@ -40,6 +40,8 @@ for steps in (1, 4, 20):
     code, _, summary, rows, _ = solve(f"block_{steps}", BLOCK, *setting("Load Steps/Times", times), *setting("Load Steps/Factors/slide", factors))
     check("block: all steps", (code, summary["verified"], len(rows)), (0, True, steps + 1))
     ends.append(force(rows[-1]))
+    # Within a step forces and displacements change in proportion.
+    check("block: work", abs(float(rows[-1]["work_imbalance"])), lambda part: part < (0.3 if steps == 1 else 1e-2 / steps))
 for tangential, normal in ends:
     check("block: independent of the number of steps", abs(normal / ends[0][1] - 1), lambda part: part < 1e-5)
     check("block: CalculiX", abs(-normal / 457.78 - 1), lambda part: part < 0.01)

@@ -6,6 +6,7 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -72,14 +73,21 @@ void WorkMeter::add(const Answer& answer) {
                  force = first ? now.force[i] : Matrix(now.force[i] + before_.force[i]);
     mine[0] += 0.5 * force.cwiseProduct(moved).sum();
   }
-  // Bodies that move far have other pairs in every step: pairs of the same node continue each other.
+  // Bodies that move far have other pairs in every step: pairs of the same node continue each other. The gap of a new pair at the beginning
+  // of the step is not known; contact forces begin at zero there.
+  int moves = 0;
+  const int mineMoves =
+      std::any_of(answer.meshes.begin(), answer.meshes.end(), [](const SubdomainMesh& mesh) { return !mesh.drawn.empty(); });
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, mineMoves, Teuchos::outArg(moves));
   std::map<std::pair<int, GlobalId>, const PairResult*> before;
   for (const PairResult& pair : before_.pairs) before[{pair.line, pair.node}] = &pair;
   for (const PairResult& pair : now.pairs) {
     const auto last = before.find({pair.line, pair.node});
     const bool continues = last != before.end();
-    const double force = pair.force + (continues ? last->second->force : 0.0),
-                 closed = (continues ? last->second->gap : pair.initialGap) - pair.gap;
+    const double force = pair.force + (continues ? last->second->force : 0.0), closed = (continues ? last->second->gap
+                                                                                         : moves   ? pair.gap
+                                                                                                   : pair.initialGap) -
+                                                                                        pair.gap;
     const Point tangential = continues ? plus(pair.tangential, last->second->tangential) : pair.tangential;
     mine[1] += 0.5 * force * closed;
     mine[2] += 0.5 * dot(tangential, pair.stepSlip());
