@@ -64,9 +64,9 @@ struct CellBlock {
   std::vector<double> coordinates;  ///< nodes x dimension [length]
   /// Coordinates of the bodies as drawn, where the mesh is a later shape of bodies that move far; empty: it is the drawn mesh itself.
   std::vector<double> drawn;
-  std::vector<Cell> cells;          ///< shape of each element
-  std::vector<int> offsets{0};      ///< elements + 1
-  std::vector<int> connectivity;    ///< nodes of element e: connectivity[offsets[e] .. offsets[e+1])
+  std::vector<Cell> cells;        ///< shape of each element
+  std::vector<int> offsets{0};    ///< elements + 1
+  std::vector<int> connectivity;  ///< nodes of element e: connectivity[offsets[e] .. offsets[e+1])
 
   /// True for a meridian half plane: x is the distance r >= 0 from the axis, y runs along it, and the body is the full revolution. Set by
   /// makeAxisymmetric(); all integrals over elements or sides then include the factor 2 pi r.

@@ -55,7 +55,7 @@ class MovingSolver : public StepSolver {
   std::unique_ptr<const MovingConstraints> constraints_;  // on rank 0
   SlipHistory history_;                                   // likewise, of the accepted step
   State accepted_, now_;
-  double lastChange_ = 0.0;           // of shape, in the last round of the step; on rank 0 [length]
+  double lastChange_ = 0.0;           // largest change of place of a node in the last round of the step; on rank 0 [length]
   std::vector<int> partOfSubdomain_;  // part of each subdomain of the scene; the same on all ranks
   std::vector<Point> moments_;        // by part: moments that its forces have at the present places in addition to those at the placed ones
 };
