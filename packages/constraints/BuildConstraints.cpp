@@ -195,7 +195,7 @@ void chooseCarrier(const Mesh& mesh, const RigidGroupNodes& rigid, ContactSurfac
 }
 
 Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
-                  const ContactScales& scales, Problems& problems) {
+                  const ContactScales& scales, bool isLater, Problems& problems) {
   for (ContactSurface& contact : contacts)
     for (ContactFace* face : {&contact.a, &contact.b}) face->compliance = complianceOf(mesh, *face, scales);
   checkRoles(mesh, conditions, contacts, problems);
@@ -215,7 +215,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
     Problems same;
     const bool isFirst = contact.spring == 0;
     std::vector<std::string>& notes = isFirst ? constraints.notes : known;
-    paired.push_back(pairSurface(mesh, contact, isFirst ? problems : same, notes));
+    paired.push_back(pairSurface(mesh, contact, isFirst && !isLater ? problems : same, notes));
     noteInterference(contact, paired.back(), scales.lengthUnit, notes);
     noteDistance(contact, paired.back(), scales.lengthUnit, notes);
     if (contact.overclosure) soften(contact, paired.back(), notes);
@@ -252,7 +252,7 @@ Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& con
                              const ContactScales& scales, const LoadSteps& steps, const ConditionChange& change) {
   Problems problems;
   const std::vector<Condition> sound = prepared(conditionsOn(mesh, conditions, problems), steps, change);
-  return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, problems);
+  return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, static_cast<bool>(change), problems);
 }
 
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
@@ -261,7 +261,7 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   Constants known = constants;
   known.dimension = mesh.dimension;
   const std::vector<Condition> sound = prepared(readConditions(mesh, conditionList, known, problems), steps, change);
-  return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, problems);
+  return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, static_cast<bool>(change), problems);
 }
 
 namespace {

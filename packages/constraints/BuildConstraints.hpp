@@ -24,7 +24,8 @@ struct ContactScales {
   std::string lengthUnit;  ///< for notes, as "mm"
 };
 
-/// Changes a condition before it is applied; empty: none changes.
+/// Changes a condition before it is applied; empty: none changes. With it, the mesh is a later shape of bodies that move far, in which the
+/// two sides of a contact may face each other nowhere: it then has no pairs.
 using ConditionChange = std::function<void(Condition& condition)>;
 
 /// Turns boundary conditions and contacts into nodal rules, pairs and pieces. Local (rank 0).

@@ -136,8 +136,14 @@ double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& m
   double squared = 0.0, all = 0.0;
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const int d = meshes[s].dimension;
-    const Vector u = withLift(meshes[s], displacement[s]);
-    for (int n = 0, nodes = meshes[s].bodyNodes(); n < nodes; ++n) squared = std::max(squared, u.segment(n * d, d).squaredNorm());
+    for (int n = 0, nodes = meshes[s].bodyNodes(); n < nodes; ++n) {
+      double sum = 0.0;
+      for (int k = 0; k < d; ++k) {
+        const double u = meshes[s].fromDrawn(displacement[s], Eigen::Index(n) * d + k);
+        sum += u * u;
+      }
+      squared = std::max(squared, sum);
+    }
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, squared, Teuchos::outArg(all));
   return std::sqrt(all);

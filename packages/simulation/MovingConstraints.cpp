@@ -2,13 +2,22 @@
 #include <suture/simulation/MovingConstraints.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace suture {
 
 namespace {
 
+// Distance from a prescribed place that is round-off of frames and places: zero, so that bodies without forces count as such.
+constexpr double kSamePlace = 32.0 * std::numeric_limits<double>::epsilon();
 constexpr double kAlongAxis = 1e-12;  // part of a rotation vector off an axis that is round-off
+
+/// A prescribed displacement at a place. \param drawn  place on the drawn body
+double rounded(double value, const Point& drawn, const Point& place) {
+  return std::abs(value) <= kSamePlace * (norm(drawn) + norm(place)) ? 0.0 : value;
+}
 
 /// True if motions of a rigid group that are prescribed along fixed axes leave the same free motions to the group turned by `rotation`.
 bool freedomTurns(const std::array<std::optional<double>, 6>& motions, const Point& rotation, int dimension) {
@@ -121,7 +130,7 @@ NodeRule MovingConstraints::heldRule(const NodeRule& drawn, const Point& given, 
   for (std::size_t k = 0; k < 3; ++k)
     if (drawn.fixed[k]) moved = plus(moved, scaled(given[k], drawn.axes[k]));
   if (holdsAll(drawn, drawn_.dimension)) rule.axes = turnedAxes(frame, drawn.axes);
-  for (std::size_t k = 0; k < 3; ++k) rule.value[k] = rule.fixed[k] ? dot(rule.axes[k], moved) : 0.0;
+  for (std::size_t k = 0; k < 3; ++k) rule.value[k] = rule.fixed[k] ? rounded(dot(rule.axes[k], moved), x, frame.at(x)) : 0.0;
   return rule;
 }
 
@@ -200,6 +209,7 @@ void MovingConstraints::setGroups(const MovingBodies& bodies, const Mesh& presen
         own.forEachMaster(node, k, [&](int master, int of, double coefficient) {
           rule.value[at] -= coefficient * dot(group.axes[static_cast<std::size_t>(of)], motionAt(master));
         });
+        rule.value[at] = rounded(rule.value[at], drawn_.point(node), present.point(node));
       }
       rules[node] = rule;
     }

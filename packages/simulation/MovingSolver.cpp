@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementForces.hpp>
@@ -222,6 +223,14 @@ bool MovingSolver::settles(const Solution& solution) {
 }
 
 Solution MovingSolver::solve(const Solution*, bool, const std::vector<Vector>*) {
+  try {
+    return solveRounds();
+  } catch (const InputError& error) {  // the scene is sound as drawn, but not at these places: no contact holds a body any more
+    throw NumericalError(std::string("the bodies cannot be solved at their new places: ") + error.what());
+  }
+}
+
+Solution MovingSolver::solveRounds() {
   now_ = accepted_;
   collectivelyOnRoot(comm(), "driving the bodies", [&] { constraints_->drive(parts_.path->presentTime(), now_.bodies); });
   const double time = parts_.path->presentTime();

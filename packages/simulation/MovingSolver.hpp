@@ -39,6 +39,7 @@ class MovingSolver : public StepSolver {
     MovingBodies bodies;
     std::map<std::pair<int, int>, ContactState> states;  // by contact and carrying node
   };
+  Solution solveRounds();
   void place(double time);
   void placeLoads(double time);
   void addCouples(ElasticModel& model) const;

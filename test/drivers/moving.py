@@ -50,6 +50,12 @@ for name, ranks, words in (("ranks_2", 2, []), ("ranks_4", 4, []), ("monolithic"
     code, _, _, rows, _ = solve(f"block_{name}", BLOCK, *words, ranks=ranks)
     check(f"block: {name}", (code, abs(force(rows[-1])[1] / ends[0][1] - 1) < 1e-6), (0, True))
 
+# It slides off: no pairs are left, and no forces.
+code, _, summary, rows, _ = solve("off", BLOCK, *setting("Boundary Conditions/slide/Value", "{12}"))
+check("block: slides off", (code, summary["verified"], summary["max_displacement"] > 12, force(rows[-1])), (0, True, True, [0, 0]))
+dissipated = [float(row["dissipated_work"]) for row in rows]
+check("block: friction only dissipates", dissipated == sorted(dissipated), True)
+
 # The same press, seen from turned axes: both bodies turn about the origin by any angle.
 TURNED = pathlib.Path(__file__).parent / "turned_block.xml"
 first = None

@@ -99,9 +99,9 @@ void WorkMeter::add(const Answer& answer) {
   work_.size += std::max(std::abs(all[0]), std::abs(now.stored - work_.stored));
   work_.stored = now.stored;
   double dissipated = 0.0;
-  for (const PairResult& pair : now.pairs) dissipated += pair.dissipated;
+  for (const PairResult& pair : now.pairs) dissipated += pair.dissipated - pair.past.dissipated;
   broadcastBytes(comm_, &dissipated, sizeof dissipated);
-  work_.dissipated = dissipated;
+  work_.dissipated += dissipated;
   before_ = std::move(now);
 }
 
