@@ -1,4 +1,5 @@
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/base/RigidFrame.hpp>
 #include <suture/base/RigidValues.hpp>
@@ -53,7 +54,12 @@ MovingBodies::MovingBodies(const Mesh& drawn, const Constraints& constraints) : 
   }
   for (const RigidGroup& group : constraints.rigidGroups) {
     Gauge& gauge = grouped[static_cast<std::size_t>(partOf(group.nodes.front()))];
-    if (!gauge.nodes.empty()) continue;  // the first group of a part determines its frame
+    if (!gauge.nodes.empty())
+      throw InputError(
+          "Boundary Conditions/" + constraints.conditions[static_cast<std::size_t>(group.condition)],
+          "is a second Rigid Group of body '" +
+              drawn.bodies[static_cast<std::size_t>(drawn.bodyOfNode[static_cast<std::size_t>(group.nodes.front())])] +
+              "'; with Motion = Moving the group determines the motion of its body: use one, and a Displacement for other sides");
     gauge.nodes = group.nodes;
     gauge.weights.assign(group.nodes.size(), 1.0);
   }

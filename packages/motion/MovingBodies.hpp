@@ -14,6 +14,7 @@ namespace suture {
 class MovingBodies {
  public:
   MovingBodies() = default;
+  /// \throws InputError  two rigid groups on one part
   /// \param drawn  must outlive it \param constraints  of the drawn mesh: its rigid groups and fixed nodes determine the frames of their
   /// parts
   MovingBodies(const Mesh& drawn, const Constraints& constraints);

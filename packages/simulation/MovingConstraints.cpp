@@ -81,12 +81,10 @@ MovingConstraints::Drive MovingConstraints::driveOf(const Condition& condition, 
 
 void MovingConstraints::drive(double time, MovingBodies& bodies) const {
   const std::vector<double> factors = scene_.steps.at(time);
-  std::set<int> driven;  // parts, by their first groups
   for (const Condition& group : groups_) {
     const std::vector<Side> sides = sidesOf(drawn_.sideGroups, group.groups);
     if (sides.empty()) continue;
     const int part = bodies.partOf(drawn_.nodesOf(sides.front()).front());
-    if (!driven.insert(part).second) continue;
     const Drive drive = driveOf(group, factors, bodies);
     bodies.move(part, drive.shift, drive.turn, drive.point);
   }

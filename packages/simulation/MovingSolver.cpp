@@ -84,6 +84,7 @@ MovingSolver::MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> 
   });
   broadcast(comm(), partOfSubdomain_);
   broadcast(comm(), moments_);
+  acceptedMoments_ = moments_;
 }
 
 /// Loads at the present places: moments and forces of groups follow from the placed mesh, points of rigid groups move, and forces at points
@@ -109,7 +110,6 @@ void MovingSolver::placeLoads(double time) {
   parts_.path->setTime(time, model, none, noConstraints);
 }
 
-/// The scene at the present frames, with the pairs of the present shapes.
 /// Linear elements balance moments about the places of their nodes without strain. Couples make the balance exact at the present places.
 void MovingSolver::addCouples(ElasticModel& model) const {
   struct Force {
@@ -151,6 +151,7 @@ void MovingSolver::findMoments(const Solution& solution) {
   for (std::size_t part = 0; part < moments_.size(); ++part) moments_[part] = {all[3 * part], all[3 * part + 1], all[3 * part + 2]};
 }
 
+/// The scene at the present frames, with the pairs of the present shapes.
 void MovingSolver::place(double time) {
   Vector drawnPlaces;
   collectivelyOnRoot(comm(), "placing the bodies", [&] {
@@ -232,6 +233,7 @@ Solution MovingSolver::solve(const Solution*, bool, const std::vector<Vector>*) 
 
 Solution MovingSolver::solveRounds() {
   now_ = accepted_;
+  moments_ = acceptedMoments_;
   collectivelyOnRoot(comm(), "driving the bodies", [&] { constraints_->drive(parts_.path->presentTime(), now_.bodies); });
   const double time = parts_.path->presentTime();
   lastChange_ = 0.0;
@@ -288,6 +290,14 @@ void MovingSolver::accept(const Solution& solution) {
     history_.begin(now_.bodies, now_.bodies.present());
     accepted_ = now_;
   });
+  acceptedMoments_ = moments_;
+}
+
+void MovingSolver::restore(Solution& last) {
+  now_ = accepted_;
+  moments_ = acceptedMoments_;
+  place(parts_.path->time());
+  last.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside());
 }
 
 }  // namespace suture

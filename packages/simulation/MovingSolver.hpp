@@ -26,6 +26,7 @@ class MovingSolver : public StepSolver {
 
   Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement) override;
   void accept(const Solution& solution) override;
+  void restore(Solution& last) override;
   std::vector<StepRow::Frame> frames() const override;
   bool isTooLong(const Solution& solution) const override;
   bool keepsPairs() const override { return false; }
@@ -58,7 +59,8 @@ class MovingSolver : public StepSolver {
   State accepted_, now_;
   double lastChange_ = 0.0;           // largest change of place of a node in the last round of the step; on rank 0 [length]
   std::vector<int> partOfSubdomain_;  // part of each subdomain of the scene; the same on all ranks
-  std::vector<Point> moments_;        // by part: moments that its forces have at the present places in addition to those at the placed ones
+  /// By part: moments that its forces have at the present places in addition to those at the placed ones; after the accepted step.
+  std::vector<Point> moments_, acceptedMoments_;
 };
 
 }  // namespace suture

@@ -150,7 +150,7 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
       writeSteps(path().rows, parts_.contactsOfPath(), (folder / "steps.csv").string());
       if (!row.frames.empty()) writeFrames(path().rows, scene().model.bodies, (folder / "frames.csv").string());
     });
-    writeState(parts_, solution);
+    if (solver_.keepsPairs()) writeState(parts_, solution);
   });
 }
 
@@ -243,6 +243,7 @@ Solution PathFollower::follow() {
     result.pcgTotal = total.pcgTotal;
     result.otherApplications = total.otherApplications;
     result.safety.ofBodies = path().safety;
+    if (!unfinished_.empty()) solver_.restore(result);
     if (solver_.keepsPairs()) path().setTime(path().time(), scene().model, parts_.cut.meshes, parts_.constraints);
   }
   if (unfinished_.empty() && !result.verification.holds()) result.failure = "the verdict does not hold: " + result.verification.failure();

@@ -377,7 +377,8 @@ RunResult JudgedScene::report(const Invocation& invocation) const {
   const Parameters& output = parts_->scene.settings().sublist("Output");
   // First, because a stop request must be honoured before the remaining steps.
   const bool isKept = parts_->followsPath() && !parts_->path->rows.empty();  // by the last step
-  if (!isKept && (endingOf(solution_, unfinished_) != ExitCode::Done || output.get<bool>("Checkpoint"))) writeState(*parts_, solution_);
+  if (!isKept && !parts_->drawn && (endingOf(solution_, unfinished_) != ExitCode::Done || output.get<bool>("Checkpoint")))
+    writeState(*parts_, solution_);
   const Run run = asRun(invocation);
   const Written written = writeReport(run, code);
   if (!isKept && code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 &&

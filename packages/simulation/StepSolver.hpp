@@ -23,6 +23,8 @@ class StepSolver {
   virtual std::vector<StepRow::Frame> frames() const { return {}; }
   /// Makes a solution the state from which the next step starts. Collective.
   virtual void accept(const Solution& solution) { (void)solution; }
+  /// Makes the scene that of the last accepted step again, after a trial that failed. \param last  its solution. Collective.
+  virtual void restore(Solution& last) { (void)last; }
   /// True if the pairs of two steps, and their displacements, can be compared.
   virtual bool keepsPairs() const { return true; }
 
