@@ -73,8 +73,8 @@ void WorkMeter::add(const Answer& answer) {
                  force = first ? now.force[i] : Matrix(now.force[i] + before_.force[i]);
     mine[0] += 0.5 * force.cwiseProduct(moved).sum();
   }
-  // Bodies that move far have other pairs in every step: pairs of the same node continue each other. The gap of a new pair at the beginning
-  // of the step is not known; contact forces begin at zero there.
+  // Bodies that move far have other pairs in every step: pairs of the same node continue each other. New pairs begin with no force, at an
+  // unknown gap.
   int moves = 0;
   const int mineMoves =
       std::any_of(answer.meshes.begin(), answer.meshes.end(), [](const SubdomainMesh& mesh) { return !mesh.drawn.empty(); });

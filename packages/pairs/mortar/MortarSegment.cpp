@@ -32,7 +32,11 @@ MortarSegment::MortarSegment(const Surface& surface, int side, const BoundaryCur
   const Point chord = unit(minus(points_[1], points_[0]));
   height_ = cross(minus(points_[2], points_[0]), chord)[2];  // outward: to the right of the chord
   skew_ = dot(minus(points_[2], points_[0]), chord) - length() / 2;
-  straight_ = std::abs(height_) < std::abs(arcOver(bend_.at(0), length(), 0).height) / 8;
+  // A property of the drawn element: while bodies move, loads bend it by as much as its height.
+  const auto drawn = [&](int node) { return surface.at(nodes_[node]).drawn; };
+  const Point drawnChord = minus(drawn(1), drawn(0));
+  const double drawnHeight = cross(minus(drawn(2), drawn(0)), unit(drawnChord))[2];
+  straight_ = std::abs(drawnHeight) < std::abs(arcOver(bend_.at(0), norm(drawnChord), 0).height) / 8;
 }
 
 Point MortarSegment::mixed(double xi) const { return mix(points_, sideShape(count(), xi).value); }
