@@ -7,10 +7,10 @@
 #include <suture/answer/values/SingularExtremes.hpp>
 #include <suture/answer/verdict/Verify.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/simulation/ForceIntervals.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/LoadPath.hpp>
+#include <suture/simulation/accuracy/ForceIntervals.hpp>
 #include <suture/solver/BalanceForces.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 

@@ -7,11 +7,11 @@
 #include <suture/reader/MeshReader.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/report/Units.hpp>
-#include <suture/simulation/AdaptiveMeshes.hpp>
-#include <suture/simulation/ForceIntervals.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/Scene.hpp>
 #include <suture/simulation/SoftenedContacts.hpp>
+#include <suture/simulation/accuracy/AdaptiveMeshes.hpp>
+#include <suture/simulation/accuracy/ForceIntervals.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>

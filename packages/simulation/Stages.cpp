@@ -10,11 +10,8 @@
 #include <suture/report/Summary.hpp>
 #include <suture/report/answers/Probes.hpp>
 #include <suture/report/answers/SingularNotes.hpp>
-#include <suture/simulation/ForceIntervals.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
-#include <suture/simulation/MotionCheck.hpp>
-#include <suture/simulation/MovingSolver.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/PathFollower.hpp>
 #include <suture/simulation/PhaseChange.hpp>
@@ -23,6 +20,9 @@
 #include <suture/simulation/Restart.hpp>
 #include <suture/simulation/SoftenedContacts.hpp>
 #include <suture/simulation/Stages.hpp>
+#include <suture/simulation/accuracy/ForceIntervals.hpp>
+#include <suture/simulation/moving/MotionCheck.hpp>
+#include <suture/simulation/moving/MovingSolver.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolverSchema.hpp>
 

@@ -1,9 +1,9 @@
 #include <suture/reader/MeshReader.hpp>
-#include <suture/simulation/AdaptiveMeshes.hpp>
-#include <suture/simulation/BisectedMeshes.hpp>
 #include <suture/simulation/CutStage.hpp>
-#include <suture/simulation/GeometryMeshes.hpp>
-#include <suture/simulation/QuantityError.hpp>
+#include <suture/simulation/accuracy/AdaptiveMeshes.hpp>
+#include <suture/simulation/accuracy/BisectedMeshes.hpp>
+#include <suture/simulation/accuracy/GeometryMeshes.hpp>
+#include <suture/simulation/accuracy/QuantityError.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -3,10 +3,10 @@
 #include <suture/base/Timers.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/Steps.hpp>
-#include <suture/simulation/LevelError.hpp>
-#include <suture/simulation/MeshSequence.hpp>
-#include <suture/simulation/QuantityError.hpp>
 #include <suture/simulation/Stages.hpp>
+#include <suture/simulation/accuracy/LevelError.hpp>
+#include <suture/simulation/accuracy/MeshSequence.hpp>
+#include <suture/simulation/accuracy/QuantityError.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
 
 #include <Teuchos_Comm.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/motion/MovingBodies.hpp>
 #include <suture/simulation/Scene.hpp>
-#include <suture/simulation/SlipHistory.hpp>
+#include <suture/simulation/moving/SlipHistory.hpp>
 
 #include <map>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/pairs/ContactSurface.hpp>
-#include <suture/simulation/MeshSequence.hpp>
-#include <suture/simulation/PolygonSides.hpp>
 #include <suture/simulation/Scene.hpp>
+#include <suture/simulation/accuracy/MeshSequence.hpp>
+#include <suture/simulation/accuracy/PolygonSides.hpp>
 
 namespace suture {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/answer/values/ForceInterval.hpp>
-#include <suture/simulation/ChangedAmount.hpp>
+#include <suture/simulation/accuracy/ChangedAmount.hpp>
 
 #include <memory>
 #include <string>

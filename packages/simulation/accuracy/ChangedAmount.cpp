@@ -1,7 +1,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/simulation/ChangedAmount.hpp>
+#include <suture/simulation/accuracy/ChangedAmount.hpp>
 
 #include <Teuchos_Comm.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <suture/simulation/MovingConstraints.hpp>
 #include <suture/simulation/SceneParts.hpp>
 #include <suture/simulation/StepSolver.hpp>
+#include <suture/simulation/moving/MovingConstraints.hpp>
 
 #include <memory>
 #include <optional>

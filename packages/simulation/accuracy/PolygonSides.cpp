@@ -1,6 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/reader/gmsh/StraightSides.hpp>
-#include <suture/simulation/PolygonSides.hpp>
+#include <suture/simulation/accuracy/PolygonSides.hpp>
 
 namespace suture {
 

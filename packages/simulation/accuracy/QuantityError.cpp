@@ -6,7 +6,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/report/answers/Answers.hpp>
-#include <suture/simulation/QuantityError.hpp>
+#include <suture/simulation/accuracy/QuantityError.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

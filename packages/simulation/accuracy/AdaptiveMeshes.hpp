@@ -1,6 +1,6 @@
 #pragma once
-#include <suture/simulation/MeshSequence.hpp>
 #include <suture/simulation/Scene.hpp>
+#include <suture/simulation/accuracy/MeshSequence.hpp>
 
 namespace suture {
 

@@ -4,7 +4,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementForces.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
-#include <suture/simulation/MovingSolver.hpp>
+#include <suture/simulation/moving/MovingSolver.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

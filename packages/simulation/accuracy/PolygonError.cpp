@@ -2,8 +2,8 @@
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/mesh/CellGeometry.hpp>
-#include <suture/simulation/LevelError.hpp>
-#include <suture/simulation/PolygonError.hpp>
+#include <suture/simulation/accuracy/LevelError.hpp>
+#include <suture/simulation/accuracy/PolygonError.hpp>
 
 #include <Eigen/Dense>
 

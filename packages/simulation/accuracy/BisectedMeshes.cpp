@@ -4,8 +4,8 @@
 #include <suture/adapt/SingularVertices.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/reader/MeshReader.hpp>
-#include <suture/simulation/BisectedMeshes.hpp>
 #include <suture/simulation/ReadStage.hpp>
+#include <suture/simulation/accuracy/BisectedMeshes.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>

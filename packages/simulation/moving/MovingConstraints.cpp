@@ -1,5 +1,5 @@
 #include <suture/base/Point.hpp>
-#include <suture/simulation/MovingConstraints.hpp>
+#include <suture/simulation/moving/MovingConstraints.hpp>
 
 #include <algorithm>
 #include <cmath>

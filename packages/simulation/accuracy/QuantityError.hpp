@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/report/AccuracyRequest.hpp>
-#include <suture/simulation/LevelError.hpp>
 #include <suture/simulation/SceneParts.hpp>
+#include <suture/simulation/accuracy/LevelError.hpp>
 
 #include <optional>
 #include <string>

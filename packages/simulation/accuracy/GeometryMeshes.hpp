@@ -1,7 +1,7 @@
 #pragma once
-#include <suture/simulation/MeshSequence.hpp>
-#include <suture/simulation/PolygonSides.hpp>
 #include <suture/simulation/Scene.hpp>
+#include <suture/simulation/accuracy/MeshSequence.hpp>
+#include <suture/simulation/accuracy/PolygonSides.hpp>
 
 namespace suture {
 

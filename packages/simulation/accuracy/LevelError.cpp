@@ -1,7 +1,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/simulation/LevelError.hpp>
+#include <suture/simulation/accuracy/LevelError.hpp>
 
 #include <algorithm>
 #include <map>

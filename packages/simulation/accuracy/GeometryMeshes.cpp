@@ -1,8 +1,8 @@
 #include <suture/adapt/Chords.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/reader/MeshReader.hpp>
-#include <suture/simulation/GeometryMeshes.hpp>
 #include <suture/simulation/ReadStage.hpp>
+#include <suture/simulation/accuracy/GeometryMeshes.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>

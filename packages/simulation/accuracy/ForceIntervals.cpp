@@ -2,9 +2,9 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
-#include <suture/simulation/ChangedAmount.hpp>
-#include <suture/simulation/ForceIntervals.hpp>
 #include <suture/simulation/LoadControl.hpp>
+#include <suture/simulation/accuracy/ChangedAmount.hpp>
+#include <suture/simulation/accuracy/ForceIntervals.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_Comm.hpp>

@@ -2,8 +2,8 @@
 #include <suture/report/AccuracyRequest.hpp>
 #include <suture/simulation/CutStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
-#include <suture/simulation/MotionCheck.hpp>
 #include <suture/simulation/Phases.hpp>
+#include <suture/simulation/moving/MotionCheck.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 

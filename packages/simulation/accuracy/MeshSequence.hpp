@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/adapt/SizePlan.hpp>
 #include <suture/mesh/Mesh.hpp>
-#include <suture/simulation/PolygonError.hpp>
+#include <suture/simulation/accuracy/PolygonError.hpp>
 
 #include <functional>
 #include <memory>

@@ -1,5 +1,5 @@
 #include <suture/base/Point.hpp>
-#include <suture/simulation/SlipHistory.hpp>
+#include <suture/simulation/moving/SlipHistory.hpp>
 
 namespace suture {
 
