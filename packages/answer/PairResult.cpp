@@ -82,6 +82,22 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
   return result;
 }
 
+std::vector<const PairResult*> predecessors(const std::vector<PairResult>& before, const std::vector<PairResult>& now) {
+  const auto placeOf = [](const PairResult& pair) { return std::pair(pair.line, pair.node); };
+  std::map<std::pair<int, GlobalId>, const PairResult*> of;
+  for (const PairResult& pair : before) of[placeOf(pair)] = &pair;
+  std::vector<const PairResult*> all;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (i < before.size() && placeOf(before[i]) == placeOf(now[i])) {  // pairs that did not change
+      all.push_back(&before[i]);
+      continue;
+    }
+    const auto found = of.find(placeOf(now[i]));
+    all.push_back(found == of.end() ? nullptr : found->second);
+  }
+  return all;
+}
+
 std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs) {
   std::vector<PairResult> results;
   for (const ContactPiece& piece : pieces)

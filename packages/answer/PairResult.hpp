@@ -67,6 +67,10 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
 /// round-off.
 Point slipOf(const ContactPair& pair, const std::vector<Point>& ofEnds);
 
+/// The pair of each of `now` at an earlier time: of the same contact and node, since bodies that move far have other pairs in every step;
+/// null: a new one. Local, on rank 0.
+std::vector<const PairResult*> predecessors(const std::vector<PairResult>& before, const std::vector<PairResult>& now);
+
 /// Results at points on the axis of revolution, which carry no force: pressure and gap follow from the nearest pairs, the state is that of
 /// the nearest pair. Local, on rank 0. \param pairs  all, by id
 std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs);

@@ -29,6 +29,8 @@ class Builder {
       : mesh_(mesh), condition_(conditions[static_cast<std::size_t>(number)]), dimension_(mesh.dimension) {
     group_.condition = number;
     group_.point = *condition_.point;
+    group_.motions = condition_.motions;
+    group_.factor = condition_.factor;
     group_.nodes = std::move(nodes);
     std::vector<Point> points;
     for (const int node : group_.nodes) points.push_back(mesh.point(node));

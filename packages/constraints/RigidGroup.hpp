@@ -2,6 +2,7 @@
 #include <suture/base/Types.hpp>
 
 #include <array>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -11,8 +12,12 @@ namespace suture {
 /// the nodes, the masters (at most six; in 2D three). Every other component of the nodes follows: it is the value of its NodeRule plus a
 /// linear combination of the masters. All nodes have a rule with the axes of the group, which fixes all components except masters.
 struct RigidGroup {
-  int condition = -1;                 ///< index in Constraints::conditions
-  Point point{0, 0, 0};               ///< reference point
+  int condition = -1;    ///< index in Constraints::conditions
+  Point point{0, 0, 0};  ///< reference point
+  /// Prescribed displacements of the point [length] and rotations [radians], as Condition::motions, and the number of their factor; on rank
+  /// 0.
+  std::array<std::optional<double>, 6> motions{};
+  int factor = 0;
   Point moved{0, 0, 0};               ///< displacement of that point from the drawn body to the mesh, for bodies that move far [length]
   Point turned{0, 0, 0};              ///< rotation vector of the body, likewise [radians]
   std::vector<int> nodes;             ///< ascending

@@ -2,6 +2,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/monolithic/Reference.hpp>
+#include <suture/partition/NodalValues.hpp>
 #include <suture/solver/BalanceForces.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 
@@ -12,34 +13,6 @@
 namespace suture {
 
 namespace {
-
-/// Nodal values of this rank's subdomains, received from rank 0 by global node numbers.
-std::vector<Vector> scatterToSubdomains(const Comm& comm, const Vector& whole, int dimension, const std::vector<SubdomainMesh>& meshes) {
-  Packer asked;
-  for (const SubdomainMesh& mesh : meshes) asked.put(mesh.globalNodes);
-  std::vector<std::string> answers(comm.getSize());
-  const std::vector<std::string> questions = gatherOnRoot(comm, asked.bytes());
-  collectivelyOnRoot(comm, "distributing the displacements", [&] {
-    for (std::size_t rank = 0; rank < questions.size(); ++rank) {
-      Packer answer;
-      Unpacker question(questions[rank]);
-      while (!question.done()) {
-        std::vector<double> values;
-        for (GlobalId node : question.get<std::vector<GlobalId>>())
-          for (int k = 0; k < dimension; ++k) values.push_back(whole(node * dimension + k));
-        answer.put(values);
-      }
-      answers[rank] = answer.bytes();
-    }
-  });
-  Unpacker mine(scatterFromRoot(comm, answers));
-  std::vector<Vector> displacement;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const auto values = mine.get<std::vector<double>>();
-    displacement.emplace_back(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())));
-  }
-  return displacement;
-}
 
 /// Figures of the result on rank 0 that all ranks need.
 struct Figures {
@@ -100,7 +73,6 @@ Solution Reference::doSolve(Monitor& monitor, const Start* start, const Keep&) {
   packer.put(result.rows);
   packer.put(result.failure);
   packer.put(scene().constraints.pairs.size());
-  packer.put(scene().mesh.dimension);
   Unpacker unpacker(broadcast(comm, packer.bytes()));
   const auto figures = unpacker.get<Figures>();
   for (const OuterRow& row : unpacker.get<std::vector<OuterRow>>()) monitor.outer(row);
@@ -113,7 +85,7 @@ Solution Reference::doSolve(Monitor& monitor, const Start* start, const Keep&) {
   solution.iterations = figures.iterations;
   solution.residual = figures.residual;
   solution.energy = figures.energy;
-  solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), scene().meshes);
+  solution.displacement = scatterNodes(comm, scene().meshes, result.displacement, scene().mesh.dimension);
   std::vector<const SubdomainMesh*> pointers;
   for (const SubdomainMesh& mesh : scene().meshes) pointers.push_back(&mesh);
   solution.pairs = pairResults(comm, pointers, solution.displacement, result.forces);

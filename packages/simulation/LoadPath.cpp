@@ -123,17 +123,19 @@ PathState LoadPath::state(const std::vector<PairResult>& pairs) const {
   return state;
 }
 
-int changedWithin(const std::vector<PairResult>& before, const std::vector<PairResult>& now) {
-  int stopped = 0;
-  for (std::size_t i = 0; i < now.size() && i < before.size(); ++i)
-    stopped += before[i].state.status == PairStatus::Slip && now[i].state.status == PairStatus::Stick;
-  return changedPairs(before, now) - stopped;
+int changedPairs(const std::vector<PairResult>& before, const std::vector<PairResult>& now) {
+  const std::vector<const PairResult*> last = predecessors(before, now);
+  int changed = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) changed += last[i] && last[i]->state.status != now[i].state.status;
+  return changed;
 }
 
-int changedPairs(const std::vector<PairResult>& before, const std::vector<PairResult>& now) {
-  int changed = 0;
-  for (std::size_t i = 0; i < now.size() && i < before.size(); ++i) changed += before[i].state.status != now[i].state.status;
-  return changed;
+int changedWithin(const std::vector<PairResult>& before, const std::vector<PairResult>& now) {
+  const std::vector<const PairResult*> last = predecessors(before, now);
+  int stopped = 0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    stopped += last[i] && last[i]->state.status == PairStatus::Slip && now[i].state.status == PairStatus::Stick;
+  return changedPairs(before, now) - stopped;
 }
 
 }  // namespace suture

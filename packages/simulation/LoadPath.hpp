@@ -61,7 +61,7 @@ class LoadPath {
   std::map<std::string, Release> releases_;  // by the name of the load
 };
 
-/// Pairs whose status differs between the ends of two steps. On rank 0.
+/// Pairs whose status differs between the ends of two steps; new ones do not count. On rank 0.
 int changedPairs(const std::vector<PairResult>& before, const std::vector<PairResult>& now);
 /// Those among them that change during a step, at a load that only shorter steps find: they open, close, or begin to slip. A pair that
 /// stops slipping where a load reverses sticks from the beginning of the step. On rank 0.

@@ -113,7 +113,7 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
   row.work = meter_.work();
   row.residual = solution.residual;
   row.energy = solution.energy;
-  row.changed = before && solver_.keepsPairs() ? changedPairs(before->pairs, solution.pairs) : 0;
+  row.changed = before ? changedPairs(before->pairs, solution.pairs) : 0;
   const ContactFigures figures = contactFigures(solution, parts_.size.pieces);
   int states[] = {row.changed, figures.active, figures.friction.sticking, figures.friction.slipping};
   broadcastBytes(comm(), states, sizeof states);

@@ -9,6 +9,8 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <algorithm>
+
 namespace suture {
 namespace {
 
@@ -186,12 +188,20 @@ TEUCHOS_UNIT_TEST(LoadSteps, OnlyTheEndOfSlipNeedsNoShorterSteps) {
   std::vector<PairResult> before, now;
   for (const PairStatus from : all)
     for (const PairStatus to : all) {
-      before.emplace_back().state = from;
-      now.emplace_back().state = to;
+      PairResult& pair = before.emplace_back();
+      pair.node = GlobalId(before.size());
+      pair.state = from;
+      now.push_back(pair);
+      now.back().state = to;
     }
   TEST_EQUALITY(changedPairs(before, now), 6);
   TEST_EQUALITY(changedWithin(before, now), 5);
   TEST_EQUALITY(changedWithin(before, before), 0);
+  // Pairs of bodies that move far are in another order in each step, and some are new.
+  std::rotate(now.begin(), now.begin() + 4, now.end());
+  now.emplace_back().node = 100;
+  TEST_EQUALITY(changedPairs(before, now), 6);
+  TEST_EQUALITY(changedWithin(before, now), 5);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ constexpr Name kNames[kQuantities] = {
     {"slip", kFriction},
     {"dissipation", kFriction},
     {"slide",
-     "The sides slide or roll by this number of elements, but contact forces stay at the nodes that are opposite in the mesh: place the "
-     "body at its final position in the mesh, or move it less"},
+     "The sides slide or roll by this number of elements, but contact forces stay at the nodes that are opposite in the mesh: set "
+     "Motion = Moving (with Load Steps), or place the body at its final position in the mesh"},
     {"offset",
      "The contact acts across a gap: its forces act on two different lines, and their moment is missing. Let the sides touch in the mesh, "
      "or model the layer between them as a body"},

@@ -73,22 +73,19 @@ void WorkMeter::add(const Answer& answer) {
                  force = first ? now.force[i] : Matrix(now.force[i] + before_.force[i]);
     mine[0] += 0.5 * force.cwiseProduct(moved).sum();
   }
-  // Bodies that move far have other pairs in every step: pairs of the same node continue each other. New pairs begin with no force, at an
-  // unknown gap.
+  // New pairs of bodies that move far begin with no force, at an unknown gap.
   int moves = 0;
   const int mineMoves =
       std::any_of(answer.meshes.begin(), answer.meshes.end(), [](const SubdomainMesh& mesh) { return !mesh.drawn.empty(); });
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, mineMoves, Teuchos::outArg(moves));
-  std::map<std::pair<int, GlobalId>, const PairResult*> before;
-  for (const PairResult& pair : before_.pairs) before[{pair.line, pair.node}] = &pair;
-  for (const PairResult& pair : now.pairs) {
-    const auto last = before.find({pair.line, pair.node});
-    const bool continues = last != before.end();
-    const double force = pair.force + (continues ? last->second->force : 0.0), closed = (continues ? last->second->gap
-                                                                                         : moves   ? pair.gap
-                                                                                                   : pair.initialGap) -
-                                                                                        pair.gap;
-    const Point tangential = continues ? plus(pair.tangential, last->second->tangential) : pair.tangential;
+  const std::vector<const PairResult*> before = predecessors(before_.pairs, now.pairs);
+  for (std::size_t i = 0; i < now.pairs.size(); ++i) {
+    const PairResult &pair = now.pairs[i], *last = before[i];
+    const double force = pair.force + (last ? last->force : 0.0), closed = (last    ? last->gap
+                                                                            : moves ? pair.gap
+                                                                                    : pair.initialGap) -
+                                                                           pair.gap;
+    const Point tangential = last ? plus(pair.tangential, last->tangential) : pair.tangential;
     mine[1] += 0.5 * force * closed;
     mine[2] += 0.5 * dot(tangential, pair.stepSlip());
   }

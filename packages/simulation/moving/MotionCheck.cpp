@@ -12,27 +12,28 @@ namespace suture {
 void checkMotion(const Scene& scene) {
   if (!movesFar(scene)) return;
   Problems problems;
-  const auto refuse = [&](bool found, const std::string& path, const std::string& why) {
-    if (found) problems.add(path, "with Motion = Moving " + why);
+  const auto refuse = [&](bool found, const std::string& path, const std::string& advice) {
+    if (found) problems.add(path, "is not supported with Motion = Moving; " + advice);
   };
   const Parameters& settings = scene.settings();
-  refuse(scene.steps.empty(), "Load Steps/Times", "is needed: the motion is a path of load steps; expected for instance {1, 2, 3}");
-  refuse(scene.model.axisymmetric, "Model", "bodies of revolution are not supported; expected Plane Strain, Plane Stress or Solid");
-  refuse(scene.accuracy.has_value(), "Accuracy/Error", "is not supported: choose the mesh, and Output/Error Estimate");
-  refuse(hasControlledLoads(scene), "Boundary Conditions", "Mean Displacement and Preload are not supported; use a Rigid Group or a Force");
-  refuse(!scene.lines.empty(), "Contact", "Pressure Overclosure is not supported");
-  refuse(isCut(scene), "Partition/Type", "a partitioned mesh is not supported: each step makes its own contact pairs");
+  if (scene.steps.empty())
+    problems.add("Load Steps/Times", "is missing: Motion = Moving is a path of load steps; expected for instance {1, 2, 3}");
+  refuse(scene.model.axisymmetric, "Model", "expected Plane Strain, Plane Stress or Solid");
+  refuse(scene.accuracy.has_value(), "Accuracy/Error", "choose the mesh, and Output/Error Estimate");
+  refuse(hasControlledLoads(scene), "Boundary Conditions", "instead of Mean Displacement and Preload use a Rigid Group or a Force");
+  refuse(!scene.lines.empty(), "Contact", "leave Pressure Overclosure out");
+  refuse(isCut(scene), "Partition/Type", "each step makes its own contact pairs, so that the scene must cut its mesh itself");
   refuse(settings.get<std::string>("Formulation") != "Contact On The Interface", "Formulation",
          "expected Contact On The Interface, or Outer Solver/Type = Monolithic");
-  refuse(!scene.levels.empty(), "Outer Solver/Start", "Nested is not supported");
-  refuse(settings.sublist("Output").get<bool>("Error Bound"), "Output/Error Bound", "is not supported");
+  refuse(!scene.levels.empty(), "Outer Solver/Start", "expected another value than Nested");
+  refuse(settings.sublist("Output").get<bool>("Error Bound"), "Output/Error Bound", "use Output/Error Estimate");
   refuse(!Phases(scene).empty(), "Load Steps", "bodies cannot be removed or placed");
   for (const ElasticSupport& support : scene.model.supports)
     refuse(true, "Boundary Conditions/" + support.name,
-           "an Elastic Support is not supported: its springs would turn with the body; use a Displacement, a Rigid Group or a Force");
+           "the springs of an Elastic Support would turn with the body: use a Displacement, a Rigid Group or a Force");
   for (const Load& load : scene.model.loads)
     refuse(load.kind == Load::Kind::InitialStress || load.kind == Load::Kind::InitialStrain, load.path,
-           "initial strains and stresses are not supported, except by Temperature: their axes would turn with the body");
+           "the axes of initial strains and stresses would turn with the body; a Temperature is possible");
   for (const std::vector<Material>* materials : {&scene.model.materialOfBody, &scene.model.materialOfRegion})
     for (const Material& material : *materials)
       refuse(material.law != nullptr, "Materials/" + material.name + "/Type",

@@ -45,9 +45,6 @@ bool holdsAll(const NodeRule& rule, int dimension) {
 
 MovingConstraints::MovingConstraints(const Scene& scene, const Mesh& drawn, Constraints constraints)
     : scene_(scene), drawn_(drawn), ofDrawn_(std::move(constraints)) {
-  scene.constraints(drawn, [this](Condition& condition) {
-    if (condition.type == Condition::Type::RigidGroup && condition.point) groups_.push_back(condition);
-  });
   std::set<int> nodes;
   for (const TouchingSides& contact : ofDrawn_.parts.touching)
     for (const std::vector<std::string>* groups : {&contact.groupsA, &contact.groupsB})
@@ -56,53 +53,50 @@ MovingConstraints::MovingConstraints(const Scene& scene, const Mesh& drawn, Cons
   touching_.assign(nodes.begin(), nodes.end());
 }
 
-MovingConstraints::Drive MovingConstraints::driveOf(const Condition& condition, const std::vector<double>& factors,
+MovingConstraints::Drive MovingConstraints::driveOf(const RigidGroup& group, const std::vector<double>& factors,
                                                     const MovingBodies& bodies) const {
   Drive drive;
-  const std::vector<Side> sides = sidesOf(drawn_.sideGroups, condition.groups);
-  if (sides.empty()) return drive;
-  const BodyFrame& frame = bodies.frameOf(drawn_.nodesOf(sides.front()).front());
-  const double factor = factors[static_cast<std::size_t>(condition.factor)];
-  drive.drawn = *condition.point;
+  const BodyFrame& frame = bodies.frameOf(group.nodes.front());
+  const double factor = factors[static_cast<std::size_t>(group.factor)];
+  drive.drawn = group.point;
   drive.point = frame.at(drive.drawn);
-  const Point moved = minus(drive.point, *condition.point), now = frame.rotation();
+  const Point moved = minus(drive.point, drive.drawn), now = frame.rotation();
   Point target = now;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (condition.motions[k]) drive.shift[k] = factor * *condition.motions[k] - moved[k];
-    if (condition.motions[3 + k]) target[k] = factor * *condition.motions[3 + k];
+    if (group.motions[k]) drive.shift[k] = factor * *group.motions[k] - moved[k];
+    if (group.motions[3 + k]) target[k] = factor * *group.motions[3 + k];
   }
   // In 2D the angle counts all turns; in 3D the rest is the rotation from the present to the prescribed orientation.
   const Point rest = drawn_.dimension == 2 ? minus(target, now) : rotationVector(rotationBy(target) * rotationBy(now).conjugate());
   for (std::size_t k = 0; k < 3; ++k)
-    if (condition.motions[3 + k]) drive.turn[k] = rest[k];
-  drive.turnsAlong = freedomTurns(condition.motions, now, drawn_.dimension);
+    if (group.motions[3 + k]) drive.turn[k] = rest[k];
+  drive.turnsAlong = freedomTurns(group.motions, now, drawn_.dimension);
   return drive;
 }
 
 void MovingConstraints::drive(double time, MovingBodies& bodies) const {
   const std::vector<double> factors = scene_.steps.at(time);
-  for (const Condition& group : groups_) {
-    const std::vector<Side> sides = sidesOf(drawn_.sideGroups, group.groups);
-    if (sides.empty()) continue;
-    const int part = bodies.partOf(drawn_.nodesOf(sides.front()).front());
+  for (const RigidGroup& group : ofDrawn_.rigidGroups) {
     const Drive drive = driveOf(group, factors, bodies);
-    bodies.move(part, drive.shift, drive.turn, drive.point);
+    bodies.move(bodies.partOf(group.nodes.front()), drive.shift, drive.turn, drive.point);
   }
 }
 
 Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history) const {
   const std::vector<double> factors = scene_.steps.at(time);
   Drives drives;
+  for (const RigidGroup& group : ofDrawn_.rigidGroups)
+    drives[ofDrawn_.conditions[static_cast<std::size_t>(group.condition)]] = driveOf(group, factors, bodies);
   const auto change = [&](Condition& condition) {
-    if (condition.type != Condition::Type::RigidGroup || !condition.point) return;
-    const Drive drive = driveOf(condition, factors, bodies);
+    const auto found = drives.find(condition.name);
+    if (found == drives.end()) return;
+    const Drive& drive = found->second;
     for (std::size_t k = 0; k < 3; ++k) {
       if (condition.motions[k]) condition.motions[k] = drive.shift[k];
       if (condition.motions[3 + k]) condition.motions[3 + k] = drive.turn[k];
     }
     condition.point = drive.point;
     condition.factor = 0;
-    drives[condition.name] = drive;
   };
   Constraints constraints = scene_.constraints(present, change);
   setRules(factors, bodies, present, drives, constraints);

@@ -29,7 +29,7 @@ class MovingConstraints {
   };
   using Drives = std::map<std::string, Drive>;  // by name of the condition
 
-  Drive driveOf(const Condition& condition, const std::vector<double>& factors, const MovingBodies& bodies) const;
+  Drive driveOf(const RigidGroup& group, const std::vector<double>& factors, const MovingBodies& bodies) const;
   NodeRule heldRule(const NodeRule& drawn, const Point& given, const MovingBodies& bodies) const;
   void setRules(const std::vector<double>& factors, const MovingBodies& bodies, const Mesh& present, const Drives& drives,
                 Constraints& constraints) const;
@@ -39,8 +39,7 @@ class MovingConstraints {
   const Scene& scene_;
   const Mesh& drawn_;
   Constraints ofDrawn_;
-  std::vector<Condition> groups_;  // rigid groups
-  std::vector<int> touching_;      // nodes of the sides in contact, ascending
+  std::vector<int> touching_;  // nodes of the sides in contact, ascending
 };
 
 }  // namespace suture

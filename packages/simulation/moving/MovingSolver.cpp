@@ -1,9 +1,9 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementForces.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
+#include <suture/partition/NodalValues.hpp>
 #include <suture/simulation/moving/MovingSolver.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -25,42 +25,6 @@ constexpr double kRoundOff = 1e-13;  // change relative to the extent of the sce
 // contact.
 constexpr double kNewlyClosed = 0.3;
 constexpr int kMostRounds = 40;  // conforming contacts, whose gap is of the order of the displacements, need up to 27
-
-struct ValueAt {
-  GlobalId node;
-  Point value;
-};
-
-/// Values of all nodes, node-major; on rank 0. Collective.
-Vector gatherNodes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& values, int nodes,
-                   int dimension) {
-  std::vector<ValueAt> mine;
-  for (std::size_t s = 0; s < meshes.size(); ++s)
-    for (int node = 0; node < meshes[s].nodes(); ++node)
-      if (counts(meshes[s], node))
-        mine.push_back({meshes[s].globalNodes[static_cast<std::size_t>(node)],
-                        pointOf(values[s].data() + Eigen::Index(node) * meshes[s].dimension, meshes[s].dimension)});
-  Vector all = Vector::Zero(Eigen::Index(nodes) * dimension);
-  for (const ValueAt& one : joinOnRoot(comm, mine))
-    for (int k = 0; k < dimension; ++k) all[Eigen::Index(one.node) * dimension + k] = one.value[static_cast<std::size_t>(k)];
-  return all;
-}
-
-/// Values of the nodes of each mesh. \param whole  on rank 0. Collective.
-std::vector<Vector> scatterNodes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Vector& whole) {
-  std::vector<double> all(whole.begin(), whole.end());
-  broadcast(comm, all);
-  std::vector<Vector> values;
-  for (const SubdomainMesh& mesh : meshes) {
-    const int d = mesh.dimension;
-    Vector own(Eigen::Index(mesh.nodes()) * d);
-    for (int node = 0; node < mesh.nodes(); ++node)
-      for (int k = 0; k < d; ++k)
-        own[Eigen::Index(node) * d + k] = all[static_cast<std::size_t>(mesh.globalNodes[static_cast<std::size_t>(node)] * d + k)];
-    values.push_back(std::move(own));
-  }
-  return values;
-}
 
 double extentOf(const Mesh& mesh) {
   double most = 0.0;
@@ -162,7 +126,7 @@ void MovingSolver::place(double time) {
   std::vector<SubdomainMesh> meshes = distribute(comm(), parts_.mesh, parts_.constraints, parts_.cut.partition);
   // Subdomains refer to their meshes, which stay at one place in memory.
   for (std::size_t s = 0; s < meshes.size(); ++s) parts_.cut.meshes[s] = std::move(meshes[s]);
-  const std::vector<Vector> own = scatterNodes(comm(), parts_.cut.meshes, drawnPlaces);
+  const std::vector<Vector> own = scatterNodes(comm(), parts_.cut.meshes, drawnPlaces, drawn_->mesh.dimension);
   for (std::size_t s = 0; s < own.size(); ++s) parts_.cut.meshes[s].drawn.assign(own[s].begin(), own[s].end());
   parts_.cut.whole.pieces = parts_.constraints.pieces;
   parts_.cut.whole.parts = parts_.constraints.parts;
@@ -190,7 +154,7 @@ Start MovingSolver::startOfRound() const {
   }
   broadcast(comm(), states);
   Start start;
-  start.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside());
+  start.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside(), drawn_->mesh.dimension);
   for (const StateOf& one : states) start.status[one.id] = one.state;
   start.carried = parts_.path->carried();
   return start;
@@ -297,7 +261,7 @@ void MovingSolver::restore(Solution& last) {
   now_ = accepted_;
   moments_ = acceptedMoments_;
   place(parts_.path->time());
-  last.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside());
+  last.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside(), drawn_->mesh.dimension);
 }
 
 }  // namespace suture
