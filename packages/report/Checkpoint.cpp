@@ -6,6 +6,7 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,28 @@ void forEachSafety(Safety& one, const Each& each) {
   each(one.body), each(one.region), each(one.id), each(one.step), each(one.time), each(one.factor);
   for (auto& x : one.place) each(x);
   for (auto& s : one.stress) each(s);
+}
+
+/// Rigid groups of all steps as a text.
+std::string groupsText(const std::vector<StepRow>& rows) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const StepRow& row : rows) {
+    nlohmann::json& own = all.emplace_back(nlohmann::json::array());
+    for (const StepRow::Group& one : row.groups) own.push_back({one.name, one.displacement, one.rotation, one.force, one.moment});
+  }
+  return all.dump();
+}
+
+void readGroups(const std::string& text, const std::string& path, std::vector<StepRow>& rows) {
+  try {
+    const nlohmann::json all = nlohmann::json::parse(text);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const nlohmann::json& one : all.at(i))
+        rows[i].groups.push_back(
+            {one.at(0).get<std::string>(), one.at(1).get<Point>(), one.at(2).get<Point>(), one.at(3).get<Point>(), one.at(4).get<Point>()});
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(path, "damaged: incomplete rigid groups of load steps");
+  }
 }
 
 /// Parts removed and placed so far, and what remains of them.
@@ -87,6 +110,7 @@ void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
   }
   file.write(at("Steps"), rows, static_cast<int>(kStep));
   file.write(at("StepForces"), forces, 3);
+  file.write(at("StepGroups"), broadcast(comm, comm.getRank() == 0 ? groupsText(steps.rows) : std::string()));
   file.write(at("NextStep"), comm.getRank() == 0 ? std::vector<double>{steps.length} : std::vector<double>());
   file.write(at("PathPairs"), pairs, static_cast<int>(kPathPair));
   std::vector<double> carried;
@@ -120,6 +144,7 @@ PathState readPath(const Hdf5Reader& file, const std::string& path, const std::v
   const std::size_t lines = forces.size() / (3 * std::max<std::size_t>(steps.rows.size(), 1));
   for (std::size_t i = 0; i < lines * steps.rows.size(); ++i)
     steps.rows[i / lines].forceOnB.push_back({forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]});
+  if (file.has(at("StepGroups"))) readGroups(file.readText(at("StepGroups")), path, steps.rows);
   steps.length = next.front();
   readChanges(file, path, steps);
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -71,6 +71,18 @@ void writeFrames(const std::vector<StepRow>& rows, const std::vector<std::string
   writeTextFile(path, text);
 }
 
+void writeRigidGroups(const std::vector<StepRow>& rows, const std::string& path) {
+  std::string text = "step,time,group,displacement_x,displacement_y,displacement_z,rotation_x,rotation_y,rotation_z,fx,fy,fz,mx,my,mz\n";
+  for (const StepRow& row : rows)
+    for (const StepRow::Group& group : row.groups) {
+      text += format("%d,%.17g,", row.step, row.time) + csvField(group.name);
+      for (const Point* vector : {&group.displacement, &group.rotation, &group.force, &group.moment})
+        text += format(",%.17g,%.17g,%.17g", (*vector)[0], (*vector)[1], (*vector)[2]);
+      text += "\n";
+    }
+  writeTextFile(path, text);
+}
+
 void writeStepFields(const Run& run, const std::vector<StepRow>& rows) {
   const std::filesystem::path folder(run.folder);
   for (const char* kind : kKinds) {

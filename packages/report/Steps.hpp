@@ -25,7 +25,14 @@ struct StepRow {
     int body = -1;
     Point displacement{0, 0, 0}, rotation{0, 0, 0};
   };
-  std::vector<Frame> frames{};    ///< on rank 0, by connected part of the bodies; empty for bodies that do not move far
+  std::vector<Frame> frames{};  ///< on rank 0, by connected part of the bodies; empty for bodies that do not move far
+  /// Motion of a rigid group from the drawn body, and what its condition does to the body: prescribed motions, `Force` and `Moment`.
+  struct Group {
+    std::string name;
+    Point displacement{0, 0, 0}, rotation{0, 0, 0};  ///< of its point [length]; in 2D with all turns [radians]
+    Point force{0, 0, 0}, moment{0, 0, 0};           ///< moment about its point where it is now [force, force x length]
+  };
+  std::vector<Group> groups{};    ///< on rank 0, by condition
   std::vector<Point> forceOnB{};  ///< on rank 0: sum of the contact forces on side B of each contact line [force]
 };
 
@@ -35,6 +42,9 @@ void writeSteps(const std::vector<StepRow>& rows, const std::vector<std::string>
 
 /// frames.csv: one row per load step and moving body. \param bodies  names. Replaces the file. Local. \throws EnvironmentError
 void writeFrames(const std::vector<StepRow>& rows, const std::vector<std::string>& bodies, const std::string& path);
+
+/// rigid_groups.csv: one row per load step and rigid group. Replaces the file. Local. \throws EnvironmentError
+void writeRigidGroups(const std::vector<StepRow>& rows, const std::string& path);
 
 /// Writes the fields of the last step, replacing those of an earlier run: fields_0000.vtkhdf for the first step, contact_0000.vtkhdf
 /// likewise, and the files fields.vtkhdf.series and contact.vtkhdf.series with their times for ParaView. Collective.

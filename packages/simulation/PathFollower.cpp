@@ -137,6 +137,7 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
   path().accept(solver_.keepsPairs() ? solution.pairs : std::vector<PairResult>(), solution.verification.forces);
   solver_.accept(solution);
   row.frames = solver_.frames();
+  if (!solution.rigidGroups.empty()) row.groups = groupsOfStep(runOf(parts_, solution));
   path().rows.push_back(row);
   if (row.time == scene().settings().sublist("Output").get<double>("Displacements Since")) parts_.reference = solution.displacement;
   for (LeastSafety& one : solution.safety.ofBodies) one.step = row.step, one.time = row.time;
@@ -149,6 +150,7 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
       const std::filesystem::path folder(parts_.run.folder());
       writeSteps(path().rows, parts_.contactsOfPath(), (folder / "steps.csv").string());
       if (!row.frames.empty()) writeFrames(path().rows, scene().model.bodies, (folder / "frames.csv").string());
+      if (!row.groups.empty()) writeRigidGroups(path().rows, (folder / "rigid_groups.csv").string());
     });
     if (solver_.keepsPairs()) writeState(parts_, solution);
   });

@@ -287,6 +287,21 @@ Json safetyJson(const Run& run, int dimension) {
   return all;
 }
 
+std::vector<StepRow::Group> groupsOfStep(const Run& run) {
+  std::vector<StepRow::Group> all;
+  if (run.solution.rigidGroups.empty()) return all;
+  const std::vector<ConditionResultant> conditions = conditionResultants(run);
+  for (const RigidGroupMotion& group : run.solution.rigidGroups) {
+    const std::string& name = run.conditions[static_cast<std::size_t>(group.condition)];
+    Resultant sum;
+    for (const ConditionResultant& one : conditions)
+      if (one.name == name || one.name == name + "/Force") sum.add(one.sum);
+    const Point place = plus(group.point, group.displacement);
+    all.push_back({name, group.displacement, group.rotation, sum.force, minus(sum.moment, cross(place, sum.force))});
+  }
+  return all;
+}
+
 Json rigidGroupsJson(const Run& run, int dimension) {
   Json all = Json::object();
   for (const RigidGroupMotion& group : run.solution.rigidGroups) {

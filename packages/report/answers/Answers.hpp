@@ -53,6 +53,9 @@ std::string bodyName(const Run& run, int body);
 
 /// `extremes` and `reactions` of summary.json. On rank 0.
 nlohmann::ordered_json extremesJson(const Run& run, int dimension);
+/// Motions of the rigid groups, and what their conditions do to the bodies. Local, on rank 0.
+std::vector<StepRow::Group> groupsOfStep(const Run& run);
+
 /// `rigid_groups` of summary.json. On rank 0.
 nlohmann::ordered_json rigidGroupsJson(const Run& run, int dimension);
 nlohmann::ordered_json reactionsJson(const Run& run, int dimension);
