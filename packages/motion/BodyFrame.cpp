@@ -25,6 +25,11 @@ Point rotationVector(const Eigen::Quaterniond& rotation) {
   return scaled(sine > 0.0 ? sign * 2.0 * half / sine : 2.0, pointOf(rotation.vec()));
 }
 
+Point turnBetween(const BodyFrame& from, const BodyFrame& to) {
+  if (from.turnsOnlyAboutZ() && to.turnsOnlyAboutZ()) return minus(to.rotation(), from.rotation());
+  return rotationVector(to.orientation() * from.orientation().conjugate());
+}
+
 Point BodyFrame::at(const Point& drawn) const { return plus(place_, turn(minus(drawn, centre_))); }
 
 Point BodyFrame::turn(const Point& vector) const {
@@ -45,6 +50,20 @@ void BodyFrame::move(const Point& shift, const Point& rotation, const Point& abo
   turned_ = (by * turned_).normalized();
   onlyAboutZ_ = onlyAboutZ_ && rotation[0] == 0.0 && rotation[1] == 0.0;
   angle_ += rotation[2];
+}
+
+std::array<double, BodyFrame::kNumbers> BodyFrame::numbers() const {
+  return {centre_[0],  centre_[1],  centre_[2],  place_[0],   place_[1], place_[2],
+          turned_.w(), turned_.x(), turned_.y(), turned_.z(), angle_,    onlyAboutZ_ ? 1.0 : 0.0};
+}
+
+BodyFrame BodyFrame::ofNumbers(const std::array<double, kNumbers>& numbers) {
+  BodyFrame frame({numbers[0], numbers[1], numbers[2]});
+  frame.place_ = {numbers[3], numbers[4], numbers[5]};
+  frame.turned_ = Eigen::Quaterniond(numbers[6], numbers[7], numbers[8], numbers[9]);
+  frame.angle_ = numbers[10];
+  frame.onlyAboutZ_ = numbers[11] != 0.0;
+  return frame;
 }
 
 Point BodyFrame::rotation() const { return onlyAboutZ_ ? Point{0, 0, angle_} : rotationVector(turned_); }

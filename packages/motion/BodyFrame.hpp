@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
+
 namespace suture {
 
 /// Place of a body that moves far while its strains stay small: x = place + R (X - centre) for a point X of the drawn body, with a rotation
@@ -22,11 +24,18 @@ class BodyFrame {
   /// Moves on: turns by a rotation vector about a point of space, then shifts. The motion is finite: exp(rotation).
   void move(const Point& shift, const Point& rotation, const Point& about);
 
+  /// The frame as numbers, to be sent or kept: ofNumbers() makes the same frame of them.
+  static constexpr std::size_t kNumbers = 12;
+  std::array<double, kNumbers> numbers() const;
+  static BodyFrame ofNumbers(const std::array<double, kNumbers>& numbers);
+
   const Point& centre() const { return centre_; }
   /// Place of the centre.
   const Point& place() const { return place_; }
   /// Rotation vector [radians]. About z alone, as in 2D, the angle counts all turns; otherwise it is at most pi.
   Point rotation() const;
+  const Eigen::Quaterniond& orientation() const { return turned_; }
+  bool turnsOnlyAboutZ() const { return onlyAboutZ_; }
 
  private:
   Point centre_{0, 0, 0}, place_{0, 0, 0};
@@ -35,6 +44,8 @@ class BodyFrame {
   bool onlyAboutZ_ = true;
 };
 
+/// Rotation vector that turns one frame to another; about z alone all turns count. [radians]
+Point turnBetween(const BodyFrame& from, const BodyFrame& to);
 /// Unit quaternion of a rotation vector.
 Eigen::Quaterniond rotationBy(const Point& vector);
 /// Rotation vector of a unit quaternion; its length is at most pi.

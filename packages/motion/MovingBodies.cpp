@@ -51,6 +51,7 @@ MovingBodies::MovingBodies(const Mesh& drawn, const Constraints& constraints) : 
     if (inGroups.contains(rule.node) || std::find(rule.fixed.begin(), last, false) != last) continue;
     Gauge& gauge = held[static_cast<std::size_t>(partOf(rule.node))];
     gauge.nodes.push_back(rule.node), gauge.weights.push_back(1.0);
+    gauge.isHeld = true;
   }
   for (const RigidGroup& group : constraints.rigidGroups) {
     Gauge& gauge = grouped[static_cast<std::size_t>(partOf(group.nodes.front()))];
@@ -96,9 +97,9 @@ Mesh MovingBodies::meshAt(const Vector& displacement) const {
 Mesh MovingBodies::placed() const { return meshAt(placement()); }
 Mesh MovingBodies::present() const { return meshAt(placement() + beside_); }
 
-void MovingBodies::move(int part, const Point& shift, const Point& rotation, const Point& about) {
-  frames_[static_cast<std::size_t>(part)].move(shift, rotation, about);
-  const Eigen::Quaterniond by = rotationBy(rotation);
+void MovingBodies::move(int part, const Motion& motion) {
+  frames_[static_cast<std::size_t>(part)].move(motion.shift, motion.rotation, motion.about);
+  const Eigen::Quaterniond by = rotationBy(motion.rotation);
   const int d = drawn_->dimension;
   for (int node = 0; node < drawn_->nodes(); ++node) {
     if (partOf(node) != part) continue;
@@ -153,34 +154,41 @@ std::map<int, Point> MovingBodies::couple(int part, const Point& moment) const {
   return forces;
 }
 
+MovingBodies::Motion MovingBodies::motionOf(int part, const Vector& displacement) const {
+  const auto p = static_cast<std::size_t>(part);
+  const int d = drawn_->dimension;
+  const Gauge& gauge = gauges_[p];
+  const auto at = [&](int node) { return pointOf(displacement.data() + Eigen::Index(node) * d, d); };
+  Motion motion;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
+    sum += gauge.weights[i];
+    motion.shift = plus(motion.shift, scaled(gauge.weights[i], at(gauge.nodes[i])));
+  }
+  motion.about = centreOf(p);
+  motion.shift = scaled(1.0 / sum, motion.shift);
+  Point spin{0, 0, 0};
+  for (std::size_t i = 0; i < gauge.nodes.size(); ++i)
+    spin = plus(spin, scaled(gauge.weights[i], cross(minus(frames_[p].at(drawn_->point(gauge.nodes[i])), motion.about),
+                                                     minus(at(gauge.nodes[i]), motion.shift))));
+  motion.rotation = turnOf(inertiaOf(p, motion.about), spin, d);
+  return motion;
+}
+
 void MovingBodies::absorb(const Vector& displacement) {
   const int d = drawn_->dimension;
-  const auto at = [&](const Vector& values, int node) { return pointOf(values.data() + Eigen::Index(node) * d, d); };
-  std::vector<Point> centres(frames_.size()), shifts(frames_.size()), turns(frames_.size());
   const std::vector<BodyFrame> before = frames_;
-  for (std::size_t p = 0; p < frames_.size(); ++p) {
-    const Gauge& gauge = gauges_[p];
-    double sum = 0.0;
-    Point shift{0, 0, 0}, spin{0, 0, 0};
-    for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
-      sum += gauge.weights[i];
-      shift = plus(shift, scaled(gauge.weights[i], at(displacement, gauge.nodes[i])));
-    }
-    const Point centre = centreOf(p);
-    shift = scaled(1.0 / sum, shift);
-    for (std::size_t i = 0; i < gauge.nodes.size(); ++i)
-      spin = plus(spin, scaled(gauge.weights[i], cross(minus(before[p].at(drawn_->point(gauge.nodes[i])), centre),
-                                                       minus(at(displacement, gauge.nodes[i]), shift))));
-    centres[p] = centre, shifts[p] = shift, turns[p] = turnOf(inertiaOf(p, centre), spin, d);
-    frames_[p].move(shifts[p], turns[p], centre);
-  }
+  std::vector<Motion> motions;
+  for (std::size_t p = 0; p < frames_.size(); ++p) motions.push_back(motionOf(static_cast<int>(p), displacement));
+  for (std::size_t p = 0; p < frames_.size(); ++p) frames_[p].move(motions[p].shift, motions[p].rotation, motions[p].about);
   for (int node = 0; node < drawn_->nodes(); ++node) {
     const int part = partOf(node);
     if (part < 0) continue;
     const auto p = static_cast<std::size_t>(part);
-    const Point arm = minus(before[p].at(drawn_->point(node)), centres[p]);
-    const Point rest = minus(minus(at(displacement, node), shifts[p]), cross(turns[p], arm));
-    const Eigen::Vector3d turned = rotationBy(turns[p]) * Eigen::Map<const Eigen::Vector3d>(rest.data());
+    const Point arm = minus(before[p].at(drawn_->point(node)), motions[p].about);
+    const Point own = pointOf(displacement.data() + Eigen::Index(node) * d, d);
+    const Point rest = minus(minus(own, motions[p].shift), cross(motions[p].rotation, arm));
+    const Eigen::Vector3d turned = rotationBy(motions[p].rotation) * Eigen::Map<const Eigen::Vector3d>(rest.data());
     for (int k = 0; k < d; ++k) beside_[Eigen::Index(node) * d + k] = turned[k];
   }
 }

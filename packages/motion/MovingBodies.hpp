@@ -35,8 +35,16 @@ class MovingBodies {
   const std::vector<int>& bodies() const { return bodies_; }
   int partOf(int node) const { return partOf_[static_cast<std::size_t>(node)]; }
 
+  /// Rigid motion: a shift, and a rotation vector about a point of space.
+  struct Motion {
+    Point shift{0, 0, 0}, rotation{0, 0, 0}, about{0, 0, 0};
+  };
+  /// True if conditions prescribe all displacements of the nodes that determine the frame of a part.
+  bool isHeld(int part) const { return gauges_[static_cast<std::size_t>(part)].isHeld; }
+  /// The rigid motion that fits displacements from the placed mesh at the nodes that determine the frame of a part.
+  Motion motionOf(int part, const Vector& displacement) const;
   /// Moves a part with its displacements: see BodyFrame::move().
-  void move(int part, const Point& shift, const Point& rotation, const Point& about);
+  void move(int part, const Motion& motion);
   /// Forces on the nodes that determine the frame of a part whose sum is zero and whose moment about any point of the placed body is given:
   /// by node.
   std::map<int, Point> couple(int part, const Point& moment) const;
@@ -48,6 +56,7 @@ class MovingBodies {
   struct Gauge {
     std::vector<int> nodes;
     std::vector<double> weights;
+    bool isHeld = false;
   };
   Point centreOf(std::size_t part) const;
   Matrix inertiaOf(std::size_t part, const Point& centre) const;

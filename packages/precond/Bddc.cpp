@@ -74,7 +74,7 @@ struct Bddc::Work {
 
 Bddc::~Bddc() = default;
 
-void Bddc::doInitialize() { coarse_.reset(); }
+void Bddc::doInitialize() { coarse_.reset(), work_.reset(); }
 
 void Bddc::doCompute() {
   int mine = 0, all = 0;

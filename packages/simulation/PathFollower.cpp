@@ -52,13 +52,17 @@ Solution PathFollower::solveStep(const Solution* before, bool isPrepared, double
   brokeDown_ = false;
   try {
     std::vector<Vector> expected;
-    const double part = before && solver_.keepsPairs() ? continues(time) : 0.0;
-    for (std::size_t i = 0; part != 0.0 && i < lastChange_.size(); ++i) expected.push_back(before->displacement[i] + part * lastChange_[i]);
-    solution = solver_.solve(before, isPrepared, part != 0.0 ? &expected : nullptr);
+    const double part = before ? continues(time) : 0.0;
+    const bool isExpected = part != 0.0 && solver_.keepsPairs();
+    for (std::size_t i = 0; isExpected && i < lastChange_.size(); ++i) expected.push_back(before->displacement[i] + part * lastChange_[i]);
+    solution = solver_.solve(before, isPrepared, isExpected ? &expected : nullptr, part);
     solution.sinceTime = parts_.sinceTime();
     for (std::size_t i = 0; solution.sinceTime && i < parts_.reference.size(); ++i)
       solution.since.push_back(solution.displacement[i] - parts_.reference[i]);
-    if (solution.converged) judgeSolution(parts_, solver_.method().subdomains(), solution);
+    if (solution.converged) {
+      judgeSolution(parts_, solver_.method().subdomains(), solution);
+      timed(timers(), "verify", [&] { solver_.verify(solution); });
+    }
   } catch (const NumericalError& error) {
     brokeDown_ = true;
     solution.converged = false;

@@ -10,7 +10,7 @@ std::vector<BodyForces> RepeatedSolver::carried() const {
   return all;
 }
 
-Solution RepeatedSolver::solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement) {
+Solution RepeatedSolver::solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement, double) {
   const RunContext& run = parts_.run;
   if (!isPrepared && method_ && method_->reloads()) {
     method_->reload(run.timers());

@@ -16,7 +16,8 @@ class RepeatedSolver : public StepSolver {
   RepeatedSolver(SceneParts& parts, std::unique_ptr<Method> method, std::optional<Start> start)
       : parts_(parts), method_(std::move(method)), start_(std::move(start)), inSitu_(inSituForces(parts)) {}
 
-  Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr) override;
+  Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr,
+                 double continues = 0.0) override;
   const Method& method() const override { return *method_; }
   std::unique_ptr<Method> takeMethod() override { return std::move(method_); }
   const std::optional<Start>& start() const override { return start_; }

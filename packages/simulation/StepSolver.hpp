@@ -16,7 +16,11 @@ class StepSolver {
   /// \param before        solution of the last accepted step, the initial guess; null: the start
   /// \param isPrepared    the method is prepared for these loads
   /// \param displacement  better initial displacements of each subdomain than those of `before`; null: none
-  virtual Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr) = 0;
+  /// \param continues  change of all loads in units of that in the last step; zero: they do not continue like this
+  virtual Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement = nullptr,
+                         double continues = 0.0) = 0;
+  /// Adds checks that only this solver can make to the verdict on its last solution. Collective.
+  virtual void verify(Solution& solution) const { (void)solution; }
   /// True if the last solution moved so far that a shorter step is more accurate. Collective.
   virtual bool isTooLong(const Solution& solution) const { return (void)solution, false; }
   /// Places of the bodies at the last solution, on rank 0; empty if they do not move far.

@@ -42,7 +42,8 @@ Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep
                                       keep ? accepted : std::function<void(const InterfaceState&)>(),
                                       given.inSteps ? &preconditioner_
                                       : balances    ? &made
-                                                    : nullptr);
+                                                    : nullptr,
+                                      start ? start->tolerance : 0.0);
   if (!result.converged && result.slides.size() > 0)
     result.failure = slidesAway(problem_->contact()->bodies(), result.slides, given.model.bodies,
                                 problem_->contact()->laws().restrictSliding(), result.multiple);
@@ -81,7 +82,6 @@ bool Decomposition::doRearrange() {
   });
   Teuchos::reduceAll(*scene().comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
   if (all == 0) return false;
-  preconditioner_ = Teuchos::null;
   problem_->rearrange();
   return true;
 }

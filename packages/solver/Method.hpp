@@ -38,6 +38,7 @@ struct Start {
   std::map<int, ContactState> status;  ///< pair id -> state, at least for the pairs of this rank; default: closed
   std::vector<BodyForces> carried{};   ///< largest forces on each body in earlier load steps; empty: none
   double predictedError = 0.0;         ///< discretisation error predicted from coarser meshes, in the energy norm; 0: unknown
+  double tolerance = 0.0;              ///< least tolerance, for a solution that is not final; a method may be more accurate
 };
 
 /// Solution method for a scene cut into subdomains: `Decomposition`, with an outer solver on the interface, or a method for the whole

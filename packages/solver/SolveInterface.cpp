@@ -6,6 +6,7 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -78,14 +79,15 @@ std::string slidesAway(const ContactBodies& parts, const Vector& motion, const s
 
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& settings, Monitor& monitor, const InterfaceState* start,
                            const AutomaticTolerance::Estimate& discretisationError,
-                           const std::function<void(const InterfaceState&)>& accepted, Teuchos::RCP<Preconditioner>* kept) {
+                           const std::function<void(const InterfaceState&)>& accepted, Teuchos::RCP<Preconditioner>* kept,
+                           double leastTolerance) {
   const Parameters& own = settings.sublist("Outer Solver");
   OuterSettings outer;
   if (isAutomatic(settings)) {
     if (!discretisationError.of) throw InternalError("an automatic tolerance needs an error estimate");
     outer.discretisationError = discretisationError;
   } else {
-    outer.tolerance = std::stod(own.get<std::string>("Tolerance"));
+    outer.tolerance = std::max(std::stod(own.get<std::string>("Tolerance")), leastTolerance);
   }
   outer.maximumIterations = own.get<int>("Maximum Iterations");
   outer.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");

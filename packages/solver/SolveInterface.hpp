@@ -21,13 +21,14 @@ std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, cons
 InterfaceState stateOf(const Start& start, const InterfaceProblem& problem, const Subdomains& subdomains);
 
 /// Solves with the chosen outer solver and preconditioner, from `start`, or from the auxiliary problem if it is null.
-/// \param discretisationError  used only by an automatic tolerance
+/// \param discretisationError  used only by an automatic tolerance  \param leastTolerance  see Start::tolerance
 /// \param accepted  called with the state of every outer iteration except the last, or empty
 /// \param kept  if given, in and out: preconditioner of the previous solution (initially null), whose unchanged parts are reused
 /// \throws NumericalError
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& settings, Monitor& monitor,
                            const InterfaceState* start = nullptr, const AutomaticTolerance::Estimate& discretisationError = {},
-                           const std::function<void(const InterfaceState&)>& accepted = {}, Teuchos::RCP<Preconditioner>* kept = nullptr);
+                           const std::function<void(const InterfaceState&)>& accepted = {}, Teuchos::RCP<Preconditioner>* kept = nullptr,
+                           double leastTolerance = 0.0);
 
 /// Message that names the pairs for which a search for the set of closed pairs did not end: "; pairs 3, 4 of contact 'joint' (bodies
 /// 'upper', 'lower') still open ...". Local.

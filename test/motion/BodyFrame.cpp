@@ -40,6 +40,9 @@ TEUCHOS_UNIT_TEST(BodyFrame, RotationVectorsIn3D) {
   BodyFrame frame({0, 0, 0});
   frame.move({0, 0, 0}, {0, kPi / 2, 0}, {0, 0, 0});
   frame.move({0, 0, 0}, {kPi / 2, 0, 0}, {0, 0, 0});
+  const BodyFrame same = BodyFrame::ofNumbers(frame.numbers());
+  TEST_ASSERT(same.at({3, 1, 2}) == frame.at({3, 1, 2}));
+  TEST_ASSERT(same.numbers() == frame.numbers());
   const double part = 2 * kPi / 3 / std::sqrt(3.0);
   TEST_ASSERT(isNear(frame.rotation(), {part, part, part}, 1e-14));
 }

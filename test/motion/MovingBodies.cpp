@@ -46,7 +46,7 @@ TEUCHOS_UNIT_TEST(MovingBodies, WhatIsLeftTurnsWithTheBody) {
     stretched[2 * node + 1] = 0.0;
   }
   bodies.absorb(stretched);
-  bodies.move(0, {0, 0, 0}, {0, 0, std::acos(-1.0) / 2}, {5, 5, 0});
+  bodies.move(0, {{0, 0, 0}, {0, 0, std::acos(-1.0) / 2}, {5, 5, 0}});
   for (int node = 0; node < scene.mesh.nodes(); ++node) {
     if (bodies.partOf(node) != 0) continue;
     TEST_COMPARE(std::abs(bodies.beside()[2 * node]), <, 1e-16);
@@ -57,7 +57,7 @@ TEUCHOS_UNIT_TEST(MovingBodies, WhatIsLeftTurnsWithTheBody) {
 TEUCHOS_UNIT_TEST(MovingBodies, CouplesHaveTheGivenMomentAndNoForce) {
   const Scene scene = scenes::fromBoxes(twoBoxes(4, 2, 1, 1), 100.0, 0.3);
   MovingBodies bodies(scene.mesh, scene.constraints);
-  bodies.move(1, {2, 1, 0}, {0, 0, 0.4}, {0, 0, 0});
+  bodies.move(1, {{2, 1, 0}, {0, 0, 0.4}, {0, 0, 0}});
   const Mesh placed = bodies.placed();
   Point force{0, 0, 0}, moment{0, 0, 0};
   for (const auto& [node, own] : bodies.couple(1, {0, 0, 3})) {

@@ -11,20 +11,29 @@ namespace {
 constexpr double kSamePlace = 1e-10;  // relative to a side's reference interval
 constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
 constexpr double kAlong = 1e-6;       // cosine of the angle between a normal and a line up to which the line does not cross
-constexpr double kBetween = 1e-9;     // fraction of a distance at both of its ends where a side does not count as between them
+constexpr double kRoundedValue =
+    1e-14;  // value of a function that is round-off of coordinates, relative to its values at the ends of a side
+constexpr double kRoundedPlace = 2e-16;  // reference coordinates that are the same
+constexpr double kBetween = 1e-9;        // fraction of a distance at both of its ends where a side does not count as between them
 
-/// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not change sign.
+/// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not change sign. Regula falsi with the weights of the
+/// Illinois variant: one step for the linear functions of straight sides.
 template <typename Function>
 std::optional<double> zeroOf(const Function& f) {
-  double low = -1, high = 1;
-  const double atLow = f(low), atHigh = f(high);
+  double low = -1, high = 1, atLow = f(low), atHigh = f(high);
   if (atLow == 0) return low;
   if (atHigh == 0) return high;
   if ((atLow > 0) == (atHigh > 0)) return std::nullopt;
-  while (high - low > 1e-16) {
-    const double middle = (low + high) / 2;
-    if (middle == low || middle == high) break;
-    ((f(middle) > 0) == (atLow > 0) ? low : high) = middle;
+  const double rounded = kRoundedValue * std::max(std::abs(atLow), std::abs(atHigh));
+  for (int last = 0; high - low > kRoundedPlace;) {
+    const double secant = (low * atHigh - high * atLow) / (atHigh - atLow), middle = (low + high) / 2;
+    const double place = secant > low && secant < high ? secant : middle, value = f(place);
+    if (std::abs(value) <= rounded) return place;
+    const int side = (value > 0) == (atLow > 0) ? -1 : 1;
+    (side < 0 ? low : high) = place;
+    (side < 0 ? atLow : atHigh) = value;
+    if (side == last) (side < 0 ? atHigh : atLow) /= 2;
+    last = side;
   }
   return (low + high) / 2;
 }

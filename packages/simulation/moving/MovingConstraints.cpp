@@ -78,16 +78,42 @@ void MovingConstraints::drive(double time, MovingBodies& bodies) const {
   const std::vector<double> factors = scene_.steps.at(time);
   for (const RigidGroup& group : ofDrawn_.rigidGroups) {
     const Drive drive = driveOf(group, factors, bodies);
-    bodies.move(bodies.partOf(group.nodes.front()), drive.shift, drive.turn, drive.point);
+    bodies.move(bodies.partOf(group.nodes.front()), {drive.shift, drive.turn, drive.point});
   }
+  const int d = drawn_.dimension;
+  const std::map<int, Point> prescribed = prescribedAt(factors);
+  Vector held = Vector::Zero(bodies.beside().size());
+  for (const NodeRule& rule : ofDrawn_.rules) {
+    const auto given = prescribed.find(rule.node);
+    if (given == prescribed.end() || !holdsAll(rule, d)) continue;
+    const NodeRule now = heldRule(rule, given->second, bodies);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int i = 0; i < d; ++i) held[Eigen::Index(rule.node) * d + i] += now.value[k] * now.axes[k][static_cast<std::size_t>(i)];
+  }
+  for (std::size_t part = 0; part < bodies.frames().size(); ++part)
+    if (const auto p = static_cast<int>(part); bodies.isHeld(p)) bodies.move(p, bodies.motionOf(p, held));
 }
 
-Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history) const {
-  const std::vector<double> factors = scene_.steps.at(time);
+std::map<int, Point> MovingConstraints::prescribedAt(const std::vector<double>& factors) const {
+  std::map<int, Point> all;
+  for (const NodeRule& rule : ofDrawn_.rules) all[rule.node] = ofDrawn_.prescribed.empty() ? rule.value : Point{0, 0, 0};
+  for (std::size_t f = 0; f < ofDrawn_.prescribed.size(); ++f)
+    for (const RuleValue& value : ofDrawn_.prescribed[f]) {
+      Point& sum = all[value.node];
+      sum = plus(sum, scaled(factors[f], value.value));
+    }
+  return all;
+}
+
+MovingConstraints::Drives MovingConstraints::drivesAt(const std::vector<double>& factors, const MovingBodies& bodies) const {
   Drives drives;
   for (const RigidGroup& group : ofDrawn_.rigidGroups)
     drives[ofDrawn_.conditions[static_cast<std::size_t>(group.condition)]] = driveOf(group, factors, bodies);
-  const auto change = [&](Condition& condition) {
+  return drives;
+}
+
+Constraints MovingConstraints::ofPresent(const Mesh& present, const Drives& drives) const {
+  return scene_.constraints(present, [&](Condition& condition) {
     const auto found = drives.find(condition.name);
     if (found == drives.end()) return;
     const Drive& drive = found->second;
@@ -97,8 +123,17 @@ Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const
     }
     condition.point = drive.point;
     condition.factor = 0;
-  };
-  Constraints constraints = scene_.constraints(present, change);
+  });
+}
+
+std::vector<ContactPair> MovingConstraints::pairsOf(double time, const MovingBodies& bodies, const Mesh& present) const {
+  return ofPresent(present, drivesAt(scene_.steps.at(time), bodies)).pairs;
+}
+
+Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history) const {
+  const std::vector<double> factors = scene_.steps.at(time);
+  const Drives drives = drivesAt(factors, bodies);
+  Constraints constraints = ofPresent(present, drives);
   setRules(factors, bodies, present, drives, constraints);
   constraints.prescribed.clear();
   applyLaws(scene_.laws, present, constraints);
@@ -128,19 +163,12 @@ NodeRule MovingConstraints::heldRule(const NodeRule& drawn, const Point& given, 
 
 void MovingConstraints::setRules(const std::vector<double>& factors, const MovingBodies& bodies, const Mesh& present, const Drives& drives,
                                  Constraints& constraints) const {
-  std::map<int, Point> prescribed;
-  for (std::size_t f = 0; f < ofDrawn_.prescribed.size(); ++f)
-    for (const RuleValue& value : ofDrawn_.prescribed[f]) {
-      Point& sum = prescribed.try_emplace(value.node, Point{0, 0, 0}).first->second;
-      sum = plus(sum, scaled(factors[f], value.value));
-    }
+  const std::map<int, Point> prescribed = prescribedAt(factors);
   const RigidGroupNodes inGroups(constraints.rigidGroups, drawn_.dimension);
   std::map<int, NodeRule> rules;
   for (const NodeRule& rule : ofDrawn_.rules) {
     if (inGroups.contains(rule.node) || std::find(rule.fixed.begin(), rule.fixed.end(), true) == rule.fixed.end()) continue;
-    const auto given = prescribed.find(rule.node);
-    const Point value = ofDrawn_.prescribed.empty() ? rule.value : given == prescribed.end() ? Point{0, 0, 0} : given->second;
-    rules[rule.node] = heldRule(rule, value, bodies);
+    rules[rule.node] = heldRule(rule, prescribed.at(rule.node), bodies);
   }
   setGroups(bodies, present, drives, rules, constraints);
   for (const int node : touching_) {

@@ -16,10 +16,12 @@ class MovingConstraints {
   /// The scene and the mesh must outlive it. \param constraints  of the drawn mesh
   MovingConstraints(const Scene& scene, const Mesh& drawn, Constraints constraints);
 
-  /// Moves the bodies of rigid groups to their prescribed places at a time: the start of the first round of a step.
+  /// Moves bodies to the places that rigid groups and displacements prescribe at a time: the start of the first round of a step.
   void drive(double time, MovingBodies& bodies) const;
   /// \param present  the bodies' present mesh \throws InputError  as buildConstraints(), as if a contact has no facing sides any more
   Constraints at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history) const;
+  /// Contact pairs of the shapes of a mesh, with their gaps there.
+  std::vector<ContactPair> pairsOf(double time, const MovingBodies& bodies, const Mesh& present) const;
 
  private:
   /// Motion of a rigid group that its condition still requires, about a present point; components that it leaves free are zero.
@@ -29,7 +31,13 @@ class MovingConstraints {
   };
   using Drives = std::map<std::string, Drive>;  // by name of the condition
 
+  /// Motions that rigid groups lack at a time. \param factors  of loads and motions at that time
+  Drives drivesAt(const std::vector<double>& factors, const MovingBodies& bodies) const;
+  /// Constraints of the present mesh, as if it were drawn so.
+  Constraints ofPresent(const Mesh& present, const Drives& drives) const;
   Drive driveOf(const RigidGroup& group, const std::vector<double>& factors, const MovingBodies& bodies) const;
+  /// Displacements that conditions prescribe at the nodes of the drawn mesh, from their drawn places, by node.
+  std::map<int, Point> prescribedAt(const std::vector<double>& factors) const;
   NodeRule heldRule(const NodeRule& drawn, const Point& given, const MovingBodies& bodies) const;
   void setRules(const std::vector<double>& factors, const MovingBodies& bodies, const Mesh& present, const Drives& drives,
                 Constraints& constraints) const;

@@ -2,6 +2,7 @@
 #include <suture/simulation/SceneParts.hpp>
 #include <suture/simulation/StepSolver.hpp>
 #include <suture/simulation/moving/MovingConstraints.hpp>
+#include <suture/simulation/moving/Settling.hpp>
 
 #include <memory>
 #include <optional>
@@ -24,10 +25,13 @@ class MovingSolver : public StepSolver {
   /// \param parts  must outlive it; mesh, constraints and subdomains are those of the last round. Collective.
   MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> drawn);
 
-  Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement) override;
+  Solution solve(const Solution* before, bool isPrepared, const std::vector<Vector>* displacement, double continues) override;
   void accept(const Solution& solution) override;
   void restore(Solution& last) override;
   std::vector<StepRow::Frame> frames() const override;
+  /// `places`: contact pairs, searched again between the shapes of the solution. A closed pair is as far apart, and an open or new one
+  /// penetrates, by at most this part of the largest displacement beside the frames.
+  void verify(Solution& solution) const override;
   bool isTooLong(const Solution& solution) const override;
   bool keepsPairs() const override { return false; }
   const Method& method() const override { return *method_; }
@@ -41,12 +45,16 @@ class MovingSolver : public StepSolver {
     std::map<std::pair<int, int>, ContactState> states;  // by contact and carrying node
   };
   Solution solveRounds();
+  void moveOn(double part);
   void place(double time);
+  void takeDrawnPlaces();
+  void placeMeshes();
   void placeLoads(double time);
   void addCouples(ElasticModel& model) const;
   void findMoments(const Solution& solution);
   Start startOfRound() const;
-  bool settles(const Solution& solution);
+  bool isLoose(const Solution& solution) const;
+  State stateAfter(const Solution& solution, Settling& settling) const;
   const Comm& comm() const { return parts_.run.comm(); }
 
   SceneParts& parts_;
@@ -57,8 +65,9 @@ class MovingSolver : public StepSolver {
   std::unique_ptr<const MovingConstraints> constraints_;  // on rank 0
   SlipHistory history_;                                   // likewise, of the accepted step
   State accepted_, now_;
-  double lastChange_ = 0.0;           // largest change of place of a node in the last round of the step; on rank 0 [length]
-  std::vector<int> partOfSubdomain_;  // part of each subdomain of the scene; the same on all ranks
+  std::vector<MovingBodies::Motion> lastMotions_;  // likewise, by part: motions in the accepted step
+  double extent_ = 0.0;                            // largest coordinate [length]
+  std::vector<int> partOfSubdomain_;               // part of each subdomain of the scene; the same on all ranks
   /// By part: moments that its forces have at the present places in addition to those at the placed ones; after the accepted step.
   std::vector<Point> moments_, acceptedMoments_;
 };
