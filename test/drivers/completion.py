@@ -31,6 +31,7 @@ expect(("suture_solve", "--again", "sut"), ["suture.bash"])
 expect(("suture_partition", "--no"), ["--no-cut"])
 expect(("suture_schema", "--format", "m"), ["markdown"])
 expect(("suture_schema", "--format", ""), ["text", "xml", "markdown"])
+expect(("suture_plot", "--an"), ["--animation"])
 expect(("suture_solve", "sut"), ["suture.bash"])
 expect(("suture_solve", "--output", "sut"), ["suture.bash"])
 if "--set" not in completed("suture_study", "--"):

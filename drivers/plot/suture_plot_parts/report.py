@@ -55,7 +55,7 @@ def answers(run):
 def results(run, drawn):
     """[(id, heading, markup, class)]: the pictures of the solution."""
     no_contact = "This scene has no contact." if not run.summary["contact"].get("pairs") else WITHOUT
-    found = [("deformation", "Deformed shape", WITHOUT), ("von_mises", "Von Mises stress", WITHOUT),
+    found = [("deformation", "Deformed shape", WITHOUT), ("animation", "Animation", None), ("von_mises", "Von Mises stress", WITHOUT),
              ("principal", "Principal stresses", WITHOUT), ("contact", "Contact", no_contact), ("steps", "Load steps", None), ("probes", "Probes", None)]
     own = [("accuracy", "Speed against error", accuracy_section(run, drawn.drawn("accuracy")), "" if run.good else "invalid")] if has_levels(run) else []
     return [(key, heading, drawn.drawn(key, otherwise), " ".join(filter(None, [drawn.on_screen_only(key), "" if run.good else "invalid"])))

@@ -64,20 +64,21 @@ def with_panels(rows, columns, size, **more):
     return figure, figure.subplots(rows, columns, **more)
 
 
-def canvas(points, title, unit, extra=0.0, room=0.03, names=("x", "y")):
+def canvas(points, title, unit, extra=0.0, room=0.03, names=("x", "y"), most=(WIDEST, HIGHEST)):
     """Figure with equal scales in the shape of the region that contains `points`. Its layout is fixed.
 
     \\param extra  inches beside the axes, for a colour bar
     \\param room   margin, as a fraction of the region's larger extent: on all sides, or (left and right, above and below)
+    \\param most   largest width of the figure and height of its axes, in inches
     """
     low, high = points.min(axis=0)[:2], points.max(axis=0)[:2]
     margin = np.array(room if isinstance(room, tuple) else (room, room)) * max((high - low).max(), 1e-300)
     low, high = low - margin, high + margin
     aspect = (high[1] - low[1]) / (high[0] - low[0])
-    width = WIDEST - extra - 1.0
-    if width * aspect > HIGHEST:
-        width = max(HIGHEST / aspect, 2.5)
-    height = min(width * aspect, HIGHEST)
+    width = most[0] - extra - 1.0
+    if width * aspect > most[1]:
+        width = max(most[1] / aspect, 2.5)
+    height = min(width * aspect, most[1])
     figure = new_figure(width + extra + 1.0, height + 1.1)
     axes = figure.add_axes([0.8 / (width + extra + 1.0), 0.6 / (height + 1.1), width / (width + extra + 1.0), height / (height + 1.1)])
     axes.set_aspect("equal")
@@ -134,20 +135,31 @@ def shortened(name, most=30):
 
 def save(figure, path):
     """Writes the picture in full colour, cut to its content."""
+    dpi = matplotlib.rcParams["savefig.dpi"]
+    image = rendered(figure)
+    (top, bottom), (left, right) = content(image)
+    return write_png(path, image[top:bottom, left:right, :3], dpi)
+
+
+def rendered(figure):
+    """The picture with the titles and legends outside of the figure: rows x columns x 4 bytes, in the resolution of saved pictures."""
     if figure.get_layout_engine() is not None:
         figure.draw_without_rendering()
         figure.set_layout_engine("none")
     dpi = matplotlib.rcParams["savefig.dpi"]
     figure.set_dpi(dpi)
-    content = reach(figure)
-    region = Bbox(np.array([np.floor(content.min - 4), np.ceil(content.max + 4)]) / dpi)
+    box = reach(figure)
+    region = Bbox(np.array([np.floor(box.min - 4), np.ceil(box.max + 4)]) / dpi)
     columns, rows = np.round(region.size * dpi).astype(int)
     raw = BytesIO()
     figure.savefig(raw, format="rgba", dpi=dpi, bbox_inches=Bbox.from_bounds(*region.min, *((np.array([columns, rows]) + 0.01) / dpi)))
-    image = np.frombuffer(raw.getbuffer(), dtype=np.uint8).reshape(rows, columns, 4)
+    return np.frombuffer(raw.getbuffer(), dtype=np.uint8).reshape(rows, columns, 4)
+
+
+def content(image):
+    """((top, bottom), (left, right)) of the part of a picture that is not white, with a margin."""
     drawn = image.view(np.uint32)[:, :, 0] != 0xFFFFFFFF
-    (top, bottom), (left, right) = (edges(drawn.any(axis=axis), MARGIN * dpi) for axis in (1, 0))
-    return write_png(path, image[top:bottom, left:right, :3], dpi)
+    return [edges(drawn.any(axis=axis), MARGIN * matplotlib.rcParams["savefig.dpi"]) for axis in (1, 0)]
 
 
 def reach(figure):

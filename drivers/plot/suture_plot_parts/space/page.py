@@ -37,11 +37,11 @@ class Seen:
 
 
 class Page:
-    """Figure with the plot of a view. `reach`: points that the frame must contain."""
+    """Figure with the plot of a view. `reach`: points that the frame must contain; `more`: of canvas()"""
 
-    def __init__(self, run, view, reach, title, room=0.05):
+    def __init__(self, run, view, reach, title, room=0.05, **more):
         self.view = view
-        self.figure, self.axes = canvas(view.flat(reach), title, run.length_unit, extra=BESIDE, room=room)
+        self.figure, self.axes = canvas(view.flat(reach), title, run.length_unit, extra=BESIDE, room=room, **more)
         bare(self.axes)
         axes_and_scale(self.figure, self.axes, view, run.length_unit)
 

@@ -10,11 +10,11 @@ ENOUGH = 25  # samples of a surface that is seen
 VIEWS = [DEFAULT, *((DEFAULT[0] * a, DEFAULT[1] * b, DEFAULT[2] * c) for c in (1, -1) for b in (1, -1) for a in (1, -1) if (a, b, c) != (1, 1, 1))]
 
 
-def trial(view, points, triangles):
-    """Number of samples that show each triangle, in a small image."""
+def trial(view, points, triangles, size=SMALL):
+    """Number of samples that show each triangle, in a small image. \\param size  samples along its longer side"""
     flat = view.flat(points)
     low, reach = flat.min(axis=0), np.maximum(np.ptp(flat, axis=0), 1e-300)
-    raster = Raster(low, low + reach, np.maximum(np.ceil(SMALL * reach[::-1] / reach.max()), 1).astype(int))
+    raster = Raster(low, low + reach, np.maximum(np.ceil(size * reach[::-1] / reach.max()), 1).astype(int))
     raster.draw(flat, view.nearness(points), triangles)
     return np.bincount(raster.shown, minlength=len(triangles))
 
