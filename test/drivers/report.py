@@ -6,168 +6,17 @@
 import base64
 import io
 import json
-import re
 import shutil
-import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
-from html.parser import HTMLParser
 from pathlib import Path
 
-import h5py  # noqa: F401, here and below: imported once for all forks
-import matplotlib.pyplot  # noqa: F401
-from PIL import Image, ImageChops
 from harness import arguments, check, finish, forked, run, setting
+from PIL import Image, ImageChops
+from report_page import numbers, page_of, plot, row, said, same_answers, same_numbers, solved, started
 
-SECTIONS = ["answers", "mesh", "deformation", "von_mises", "principal", "contact", "scene", "reactions", "verdict", "error", "convergence", "cost", "provenance"]
-SOMETIMES = ["state", "view", "steps", "probes", "accuracy", "pieces", "path"]
-EMPTY = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 options = arguments("--solve", "--plot", "--input")
 scenes = Path(options.input)
-
-
-class Nesting(HTMLParser):
-    """Whether all elements are properly nested, as a browser requires."""
-
-    def __init__(self):
-        super().__init__()
-        self.open, self.wrong = [], []
-
-    def handle_starttag(self, tag, attributes):
-        if tag not in EMPTY:
-            self.open.append(tag)
-
-    def handle_endtag(self, tag):
-        if tag not in EMPTY and (not self.open or self.open.pop() != tag):
-            self.wrong.append(tag)
-
-
-def started(program, *words):
-    """Exit code and output of a Python program, started as a user starts it."""
-    done = subprocess.run([sys.executable, "-B", program, *map(str, words)], capture_output=True, text=True, timeout=200)
-    return done.returncode, done.stdout + done.stderr
-
-
-def plot(folder, *more):
-    return forked(options.plot, folder, *more)
-
-
-def page_of(name, folder):
-    """Checks common to all reports. Returns the page as a tree."""
-    text = (folder / "report.html").read_text(encoding="utf-8")
-    nesting = Nesting()
-    nesting.feed(text)
-    check(f"{name}: elements are nested", (nesting.wrong, nesting.open), ([], []))
-    tree = ElementTree.fromstring(text.split("\n", 1)[1])
-    scripts = re.findall(r"<script.*?</script>", text, flags=re.S)
-    bare = re.sub(r"data:image/png;base64,[A-Za-z0-9+/=]*|<script.*?</script>", "", text, flags=re.S)
-    check(f"{name}: nothing outside is named", re.findall(r"https?:|//[a-z]|url\(|@import|<link|<iframe|<object|javascript:", bare), [])
-    check(f"{name}: browsers refuse to load anything", "default-src 'none'" in tree.find(".//meta[@http-equiv]").get("content"), True)
-    check(f"{name}: scripts only with an interactive view", bool(scripts), tree.find(".//div[@id='view3d']") is not None)
-    for element in tree.iter():
-        for key, value in element.attrib.items():
-            if key == "src" and not value.startswith("data:image/png;base64,") or key == "href" and not value.startswith("#") or key.startswith("on"):
-                check(f"{name}: {element.tag} {key}", value[:60], "data: or #")
-    check(f"{name}: sections", [section.get("id") for section in tree.iter("section") if section.get("id") not in SOMETIMES], SECTIONS)
-    check(f"{name}: every section has a heading and content", [s.get("id") for s in tree.iter("section") if s.find("h2") is None or len(s) < 2], [])
-    linked = [a.get("href")[1:] for a in tree.iter("a")]
-    check(f"{name}: links lead to sections", [key for key in linked if tree.find(f".//section[@id='{key}']") is None], [])
-    pictures = [base64.b64decode(image.get("src").split(",", 1)[1])[:8] for image in tree.iter("img")]
-    check(f"{name}: pictures are PNG", set(pictures) <= {b"\x89PNG\r\n\x1a\n"}, True)
-    for drawn in tree.iter("figure"):
-        off = pixels_off(drawn.find("img"), folder / f"{drawn.get('id')[len('picture_'):]}.png")
-        check(f"{name}: {drawn.get('id')} looks like its file", off, lambda part: part < 0.01)
-    wrong = [data.get("value") for data in tree.iter("data") if not reads(data)]
-    check(f"{name}: numbers read as they are", wrong, [])
-    return tree, len(pictures)
-
-
-def pixels_off(image, path):
-    """Fraction of pixels where an embedded picture differs from its file by more than a twentieth of the scale."""
-    with Image.open(io.BytesIO(base64.b64decode(image.get("src").split(",", 1)[1]))) as embedded, Image.open(path) as file:
-        difference = ImageChops.difference(embedded.convert("RGB"), file.convert("RGB"))
-    return sum(difference.convert("L").histogram()[13:]) / (difference.width * difference.height)
-
-
-def reads(data):
-    """Whether a text equals the number to its written digits."""
-    text, whole = data.text.replace(",", "").replace("\u2212", "-"), re.fullmatch(r"-?[0-9]+", data.get("value"))
-    value = float(data.get("value"))
-    return float(text) == value if whole else abs(float(text) - value) <= 6e-3 * abs(value)
-
-
-def numbers(element):
-    return [json.loads(data.get("value")) for data in element.iter("data")]
-
-
-def row(tree, section, first):
-    """Numbers in the row of a table whose first cell reads `first`."""
-    for line in tree.find(f".//section[@id='{section}']").iter("tr"):
-        cells = line.findall("td")
-        if cells and "".join(cells[0].itertext()) == first:
-            return [number for cell in cells[1:] for number in numbers(cell)]
-    return None
-
-
-def same_numbers(name, tree, summary):
-    """Compares the numbers of the page with summary.json, all digits."""
-    for key in ("von_mises", "tension", "compression", "displacement", "pressure"):
-        known = summary["extremes"][key]
-        card = tree.find(f".//div[@id='extreme_{key}']")
-        check(f"{name}: extreme {key}", numbers(card) if card is not None else None, [known["value"], *(known["place"] or [])] if known else None)
-    for key, found in summary["verification"].items():
-        check(f"{name}: check {key}", row(tree, "verdict", key), [found["value"], found["bound"]])
-    for key, found in summary["phases"].items():
-        check(f"{name}: seconds of {key}", row(tree, "cost", key), [found["min"], found["avg"], found["max"]])
-    check(f"{name}: seconds", row(tree, "cost", "total"), [summary["seconds"]])
-    for key, found in summary["reactions"]["conditions"].items():
-        check(f"{name}: force of {key}", row(tree, "reactions", key), [*found["force"], *found["moment"]])
-    for key, found in summary["reactions"]["contacts"].items():
-        check(f"{name}: force of {key}", row(tree, "reactions", key),
-              [*found["force"], *found["moment"], *(found["centre"] or []), found["closed"], found["whole"]])
-    for key, found in summary["contact"]["by_piece"].items():
-        check(f"{name}: piece {key}", row(tree, "pieces", key), [found["active"], found["pairs"], found["max_pressure"], found["max_gap"]])
-    if summary["outer"]["solver"]:
-        check(f"{name}: iterations", (row(tree, "convergence", "outer iterations"), row(tree, "convergence", "total PCG iterations")),
-              ([summary["outer"]["iterations"]], [summary["outer"]["pcg_total"]]))
-    check(f"{name}: residual", row(tree, "convergence", "final relative residual"), [summary["outer"]["residual"]])
-
-
-def same_answers(name, tree, summary):
-    """The first page: force of every condition and contact, forces between bodies, one sentence on the error, every note of the run."""
-    found, answers = summary["reactions"], tree.find(".//section[@id='answers']")
-    largest = max(abs(part) for kind in ("conditions", "contacts") for one in found[kind].values() for part in one["force"])
-
-    def agree(cells, force):
-        return len(cells) == len(force) and all(abs(a - b) <= 2e-9 * largest for a, b in zip(cells, force))
-
-    size = summary["dimension"]
-    for kind in ("conditions", "contacts"):
-        for key, one in found[kind].items():
-            cells = (row(tree, "answers", key) or [])[:size]
-            check(f"{name}: force of {key} on the first page", agree(cells, one["force"]), True)
-    between = answers.find(".//table[@id='body_forces']")
-    if between is not None:
-        pairs = {}
-        for one in found["contacts"].values():
-            pairs.setdefault(tuple(one["bodies"]), []).append(one["force"])
-        sums = [[sum(parts) for parts in zip(*forces)] for forces in pairs.values()]
-        shown = [numbers(line)[:size] for line in between.find("tbody").iter("tr")]
-        check(f"{name}: forces between bodies", [force for force in sums if not any(agree(cells, force) for cells in shown)], [])
-    check(f"{name}: the error in a sentence", "of the energy norm" in "".join(answers.find(".//p[@id='error_sentence']").itertext()), True)
-    text = "".join(tree.itertext())
-    check(f"{name}: every note of the run", [note for note in summary["notes"] if note.split(": ", 1)[-1][1:60] not in text], [])
-
-
-def solved(name, scene, code, *more):
-    folder = options.work / name
-    check(f"{name}: exit code of the run", run(options.solve, 2, scene, "--output", folder, *more)[0], code)
-    return folder, json.loads((folder / "summary.json").read_text())
-
-
-def said(tree, section):
-    return " ".join(tree.find(f".//section[@id='{section}']").itertext())
-
 
 # Successful runs.
 HEADER = [*setting("Report/Project", "Pin <7> & lug"), *setting("Report/Author", "N. N."), *setting("Report/Revision", "B")]
@@ -249,104 +98,6 @@ rigid = tree.find(".//section[@id='answers']//table[@id='rigid_groups']").find("
 check("rigid groups: point, displacement without round-off, rotation", [numbers(line) for line in rigid], [[1.5, 3.0, 0.0, -0.25, 0.125]])
 check("safety: exceeded", [line.find(".//span").get("class") for line in lines], ["fails", "holds", "soft"])
 check("safety: the answer is not valid there", "not valid there" in "".join(lines[0].itertext()), True)
-
-# A bound of the error, strict or estimated, in the answers and among the errors.
-check("without a bound", (tree.find(".//p[@id='bound_sentence']"), tree.find(".//section[@id='accuracy']")), (None, None))
-TOTAL, REASON = "total, energy norm: ", "sides of contact 'touch' do not match"
-for strict in (True, False):
-    summary["bound"] = {"total": 12.5, "discretisation": 12.0, "algebraic": 3.5, "oscillation": 0.25, "relative": 0.00871, "strict": strict,
-                        "reasons": [] if strict else [REASON], "energy_lower": -401.0, "energy_upper": -400.0}
-    (noted / "summary.json").write_text(json.dumps(summary))
-    check(f"bound, strict {strict}: suture_plot", plot(noted)[0], 0)
-    tree, _ = page_of(f"bound, strict {strict}", noted)
-    check(f"bound, strict {strict}: rows", (row(tree, "error", TOTAL + ("strict bound" if strict else "estimate")), row(tree, "error", "\u2003of it: mesh"),
-                                            row(tree, "error", "\u2003of it: solver"), row(tree, "error", "exact energy lies between")),
-          ([12.5, 0.00871], [12.0], [3.5], [-401.0, -400.0] if strict else None))
-    answers = said(tree, "answers")
-    # 0.871 % is above 0.87 %: the text of a bound is rounded up, that of an estimate to the nearest.
-    check(f"bound, strict {strict}: in the answers", ("at most 0.88 %" in answers, "about 0.87 %" in answers, REASON in answers), (strict, not strict, not strict))
-
-# An adaptive run: its picture, a sentence and a table of its meshes.
-MESHES = [(1000, 0.2, True, 0.5), (2000, 0.1, False, 1.0), (4000, 0.05, True, 2.0), (8000, 0.025, True, 4.0), (16000, 0.0125, True, 8.0)]
-adaptive = {"requested": 0.013, "quantity": "Energy", "reached": 0.0125, "strict": True, "limit": "", "uniform": {"order": 2, "unknowns": 163270, "seconds": 9000},
-            "levels": [{"unknowns": n, "elements": n // 4, "error": error, "strict": strict, "seconds": seconds, "iterations": 17, "outer": 2, "energy": -400.5,
-                        "refinement": "bisection" if n > 1000 else "start"} for n, error, strict, seconds in MESHES]}
-
-
-def adapted(name, **changes):
-    """Page and sentence of the planted run with changes of its key `accuracy`."""
-    summary["accuracy"] = {**adaptive, **changes}
-    (noted / "summary.json").write_text(json.dumps(summary))
-    check(f"{name}: suture_plot", plot(noted)[0], 0)
-    page = page_of(name, noted)[0]
-    return page, "".join(page.find(".//p[@id='accuracy_sentence']").itertext())
-
-
-tree, words = adapted("adaptive")
-check("adaptive: sentence", words, "The energy error is at most 1.3 %, reached with 16,000 unknowns on the last of 5 meshes, in 16 s altogether. A uniform mesh "
-      "of second order would need about 160,000 unknowns and 2.5 hours for the same error (predicted).")
-check("adaptive: the same in the answers", words in said(tree, "answers"), True)
-lines = tree.find(".//section[@id='accuracy']//table[@id='levels']").find("tbody").findall("tr")
-check("adaptive: one row per mesh", [(numbers(line), "strict bound" in "".join(line.itertext())) for line in lines],
-      [([place + 1, n // 4, n, error, 2, 17, seconds], strict) for place, (n, error, strict, seconds) in enumerate(MESHES)])
-from suture_plot_parts.accuracy import accuracy_figure, rounded_up  # noqa: E402
-from suture_plot_parts.run import RunFolder  # noqa: E402
-
-
-def points(axis, **look):
-    """Points of the markers of an axis with a label or an id."""
-    return [list(zip(*(map(float, values) for values in line.get_data()))) for line in axis.lines
-            if all(getattr(line, f"get_{key}")() == value for key, value in look.items())]
-
-
-drawn = accuracy_figure(RunFolder(noted))
-spent = [0.5, 1.5, 3.5, 7.5, 15.5]
-for axis, cost, uniform in zip(drawn.axes, ([n for n, *_ in MESHES], spent), (163270.0, 9000.0)):
-    check(f"adaptive, up to {cost[-1]}: strict bounds are filled", points(axis, label="upper bound (strict)"),
-          [[(x, error) for x, (_, error, strict, _) in zip(cost, MESHES) if strict]])
-    check(f"adaptive, up to {cost[-1]}: estimates are hollow", points(axis, label="estimate"), [[(cost[1], 0.1)]])
-    check(f"adaptive, up to {cost[-1]}: uniform refinement", points(axis, gid="uniform"), [[(uniform, 0.0125)]])
-    check(f"adaptive, up to {cost[-1]}: the request", [{y for _, y in line} for line in points(axis, label="requested: 1.3 %")], [{0.013}])
-(corners,) = points(drawn.axes[0], gid="rate")  # errors halve where unknowns double: rate 1
-check("adaptive: rate", (corners[0][1] / corners[1][1]) / (corners[1][0] / corners[0][0]), lambda ratio: abs(ratio - 1.0) < 1e-9)
-check("adaptive: a bound is never rounded down", [value for value in (0.00871, 0.0087, 0.1, 0.99999, 1e-7, 0.0123456, 3.0) for digits in (1, 2, 3)
-                                                  if not value * (1 - 1e-9) <= rounded_up(value, digits) <= value * (1 + 2 * 10.0**(1 - digits))], [])
-
-# Estimates beside the bounds, and a second mesh that is a uniform refinement.
-measured = [{**level, "estimate": level["error"] / 2, "refinement": "uniform" if place == 1 else level["refinement"]}
-            for place, level in enumerate(adaptive["levels"])]
-tree, _ = adapted("measured", levels=measured)
-for axis, cost in zip(accuracy_figure(RunFolder(noted)).axes, ([1000.0, 2000.0], [0.5, 1.0])):
-    check(f"measured, up to {cost[-1]}: uniform meshes that were solved", points(axis, gid="measured"), [list(zip(cost, (0.2, 0.1)))])
-    check(f"measured, up to {cost[-1]}: estimates", [[y for _, y in line] for line in points(axis, gid="recovered")], [[error / 2 for _, error, *_ in MESHES]])
-# Values of another quantity, one per mesh.
-valued = [{**level, "value": 100.0 + place, "energy_error": 4 * level["error"], "strict": False} for place, level in enumerate(adaptive["levels"])]
-tree, _ = adapted("valued", levels=valued, quantity="the force of contact 'touch'", strict=False)
-lines = tree.find(".//section[@id='accuracy']//table[@id='levels']").find("tbody").findall("tr")
-check("valued: values and errors in the table", [numbers(line) for line in lines],
-      [[place + 1, n // 4, n, 100.0 + place, error, 4 * error, 2, 17, seconds] for place, (n, error, _, seconds) in enumerate(MESHES)])
-for name, changes, expected in (
-        ("stopped", {"limit": "unknowns", "requested": 0.001, "uniform": None}, "The requested 0.1 % was not reached: the run ended at its largest number of unknowns."),
-        ("of a force", {"quantity": "the force of contact 'touch'", "strict": False}, "The error of the force of contact 'touch' is about 1.2 % (an estimate)"),
-        ("one mesh", {"levels": adaptive["levels"][:1], "reached": 0.2}, "at most 20 %, reached with 1,000 unknowns on the first mesh, in 0.5 s."),
-        ("error unknown", {"levels": [{"unknowns": 10, "error": None}], "reached": None}, "The energy error is not known.")):
-    _, words = adapted(f"adaptive, {name}", **changes)
-    check(f"adaptive, {name}: sentence", words, lambda found, expected=expected: expected in found)
-check("adaptive: the picture", (noted / "accuracy.png").is_file(), True)
-
-# A valid solution with a larger error than requested, exit code 4: its answers are given, under a banner that states it.
-summary["exit_code"] = 4
-tree, words = adapted("too coarse", limit="levels", requested=0.001)
-banner = tree.find(".//div[@id='banner']")
-check("too coarse: banner", (banner.get("class"), "accuracy was not reached" in "".join(banner.itertext()), words in "".join(banner.itertext())),
-      ("verdict coarse", True, True))
-check("too coarse: the answers are given", ("largest von Mises stress" in said(tree, "answers"), tree.find(".//section[@id='state']")), (True, None))
-check("too coarse: stated in the pictures", "ACCURACY NOT\u00a0REACHED" in accuracy_figure(RunFolder(noted))._suptitle.get_text().replace("\n", " "), True)
-summary["exit_code"] = 0
-del summary["accuracy"]
-(noted / "summary.json").write_text(json.dumps(summary))
-check("an earlier adaptive run: suture_plot", plot(noted)[0], 0)
-check("an earlier adaptive run: its picture is removed", (noted / "accuracy.png").exists(), False)
 
 # A run that did not converge, and one whose solution is not unique.
 for name, scene, more in (("not_converged", scenes / "pin" / "pin.xml", setting("Outer Solver/Maximum Iterations", "1")),
@@ -440,7 +191,7 @@ for plotted, crosses, words in ((plots[0], 2, "no solution: 2 of 4 runs"), (plot
     check(f"study {plotted['name']}: legend", words in [text.get_text() for text in panel.get_legend().get_texts()], True)
 
 
-def numbers(axis):
+def shown(axis):
     """Numbers shown at an axis within its limits."""
     low, high = axis.get_view_interval()
     return [tick.label1.get_text() for tick in axis.get_major_ticks() if tick.label1.get_text() and low <= tick.get_loc() <= high]
@@ -454,7 +205,7 @@ for least, most in ((2, 9), (2, 60), (2, 900), (101, 109), (15, 17), (0.003, 0.0
     figure = study_figure(Table(study / "ramp.json"), {**plots[1], "x": "x", "y": ["y"], "by": []})
     figure.canvas.draw()
     for name, axis in (("x", figure.axes[0].xaxis), ("y", figure.axes[0].yaxis)):
-        check(f"study, {name} from {least} to {most}: numbers at the axis", numbers(axis), lambda found: len(found) >= 3)
+        check(f"study, {name} from {least} to {most}: numbers at the axis", shown(axis), lambda found: len(found) >= 3)
 code, text = plot(study, "--factor", "2")
 check("study: an option for runs", (code, "--factor is for runs" in text), (2, True))
 code, text = plot(study)

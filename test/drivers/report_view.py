@@ -120,7 +120,8 @@ def blocks():
     check("blocks: the inside is there", (data["inside"], data["reduced"], sum(len(numbers(block["owners"])) for block in data["cells"])),
           (True, False, 2 * 4 * 4 * 2))
     contacts = data["contacts"]
-    places, triangles = values(contacts["points"], contacts["points"]["data"], 3), numbers(contacts["triangles"]).reshape(-1, 3)
+    (shape,) = contacts["shapes"]
+    places, triangles = values(shape["points"], shape["points"]["data"], 3), numbers(shape["triangles"]).reshape(-1, 3)
     check("blocks: area of the contact", np.linalg.norm(normals(places, triangles), axis=1).sum(), near(100.0, 1e-2))
     run = RunFolder(folder)
     pressure = next(field for field in contacts["fields"] if field["name"] == "pressure")
@@ -155,6 +156,49 @@ def steps(source):
     less = view_data(run, whole // 2)
     check("steps: less room, fewer frames or no inside", (len(json.dumps(less)) < 0.6 * whole, less["frames"][-1]), (True, data["frames"][-1]))
     return folder
+
+
+def moving(source):
+    """Bodies that move far: the box contains them at all steps, normals turn with them, contact surfaces are those of the step."""
+    folder = options.work / "moving"
+    shutil.copytree(source, folder, ignore=shutil.ignore_patterns("*.png"))
+    count, angle, centre = 3, 0.5, np.array([5.0, 5.0, 7.5])
+    for k in range(count):
+        for kind in ("fields", "contact")[:2 if k < 2 else 1]:  # no pairs are left at the end
+            if k:
+                shutil.copy(source / f"{kind}_0000.vtkhdf", folder / f"{kind}_{k:04d}.vtkhdf")
+        cosine, sine = np.cos(k * angle), np.sin(k * angle)
+        turn = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
+        with h5py.File(folder / f"fields_{k:04d}.vtkhdf", "a") as file:
+            place, ends = file["VTKHDF/Points"][:], np.cumsum(file["VTKHDF/NumberOfPoints"][:])
+            upper = np.arange(len(place)) >= ends[1]  # the parts of the lower block come first
+            motion = (place - centre) @ turn.T + centre + [4.0 * k, 0, 0] - place
+            file["VTKHDF/PointData/Displacement"][...] = np.where(upper[:, None], motion, 0.0)
+        if k < 2:
+            with h5py.File(folder / f"contact_{k:04d}.vtkhdf", "a") as file:
+                file["VTKHDF/Points"][...] += [4.0 * k, 0, 0]
+    rows = "\n".join(f"{k + 1},{k + 1},1,1,0,0,1,1,0" for k in range(count))
+    (folder / "steps.csv").write_text(f"step,time,length,active,sticking,slipping,external_work,stored_energy,dissipated_work\n{rows}\n")
+    summary = json.loads((folder / "summary.json").read_text())
+    summary["load_steps"], summary["parameters"]["Motion"] = {"count": count, "time": float(count)}, "Moving"
+    (folder / "summary.json").write_text(json.dumps(summary))
+    check("moving: suture_plot", forked(options.plot, folder)[0], 0)
+    data = data_of(folder)
+    check("moving: as they are", data["enlargement"], 1.0)
+    # The corners of the upper block: half a diagonal of 10 x 10 around the centre, at angles of 45 degrees and that of the step.
+    half = [5 * np.sqrt(2) * np.cos(np.pi / 4 - k * angle) for k in range(count)]
+    check("moving: box of all steps", data["reach"]["high"][:2], near([5 + 8 + half[2], 5 + max(half)], 1e-2))
+    check("moving: box of the drawn bodies", data["reach"]["low"], near([min(0, *(5 + 4 * k - half[k] for k in range(count))), 5 - max(half), 0], 1e-2))
+    turns = np.array(data["turns"])
+    check("moving: the lower block does not turn", turns[:, 0], near(np.tile(np.eye(3).reshape(-1), (count, 1)), 1e-3))
+    check("moving: the upper one does", np.arctan2(turns[:, 1, 3], turns[:, 1, 0]), near(angle * np.arange(count), 1e-3))
+    contacts = data["contacts"]
+    middles = [values(shape["points"], shape["points"]["data"], 3).mean(axis=0)[:1].tolist() for shape in contacts["shapes"][:2]]
+    check("moving: contact surfaces of each step", (len(contacts["shapes"]), middles), lambda found: found[0] == count and near([[5.0], [9.0]], 1e-2)(found[1]))
+    check("moving: none at the end", ([len(numbers(shape["triangles"])) > 0 for shape in contacts["shapes"]], contacts["fields"][0]["frames"][2]),
+          ([True, True, False], ""))
+    check("moving: no picture of an earlier contact", (folder / "contact.png").exists(), False)
+    check("small motions: normals as drawn", data_of(source)["turns"], None)
 
 
 def curved():
@@ -402,6 +446,7 @@ if library() is None:
     finish()
 source = blocks()
 folder = steps(source)
+moving(source)
 curved()
 safety(source)
 without_library(source)

@@ -19,7 +19,7 @@ def enlargement(run, factor, gaps):
         try:
             factor = float(given)
         except (TypeError, ValueError):
-            if run.parameter("Motion", default="Small") == "Moving":
+            if run.moving:
                 return 1.0, False  # where the bodies are
             return automatic(run, gaps)
     return factor, False

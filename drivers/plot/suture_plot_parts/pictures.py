@@ -34,7 +34,9 @@ def pictures(run, factor=None, zoom=None, view=None, cut=None):
             yield picture
     if run.steps:
         figure, left_out = steps_figure(run)
-        yield Picture("steps", "steps", "Contact forces on side B, states of the pairs at the end of each load step, and accumulated work, over "
+        of_groups = (" rotation and moment of rigid groups that turn, travel and force of those that move along (the component with the largest value),"
+                     if run.groups else "")
+        yield Picture("steps", "steps", f"Contact forces on side B,{of_groups} states of the pairs at the end of each load step, and accumulated work, over "
                       "time." + note_on(left_out), figure)
     if has_levels(run):
         yield Picture("accuracy", "accuracy", accuracy_caption(run), accuracy_figure(run))

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from .grid import Grid, looked_up
+from .rigid_groups import group_tables
 from .style import PlotError
 from .summary import read_summary
 
@@ -29,6 +30,7 @@ class RunFolder:
         self.folder = Path(folder)
         self.summary = self._summary(folder)
         self.steps = step_table(self.folder / "steps.csv") if self.summary.get("load_steps") else {}
+        self.groups = group_tables(self.folder / "rigid_groups.csv") if self.steps else {}
         self.step = self._step(step)
         # A run without fields may share the folder with fields of an earlier run.
         wanted = self.parameter("Output", "Fields", default=True) is not False
@@ -40,14 +42,16 @@ class RunFolder:
         if fields and self.fields.mesh_hash and self.fields.mesh_hash != self.summary.get("mesh_hash", self.fields.mesh_hash):
             raise PlotError(f"{fields} is of another mesh than summary.json: its run has hash {self.fields.mesh_hash}, "
                             f"that of the summary {self.summary['mesh_hash']}")
-        contact = last(self.folder, f"contact_{place}.vtkhdf")
-        self.contact = Grid(contact) if fields and contact else None
+        # Of the same step: a step without pairs writes no contact file.
+        contact = self.folder / fields.name.replace("fields", "contact", 1) if fields else None
+        self.contact = Grid(contact) if contact and contact.is_file() else None
         self.history = self._history(self.folder / "history.csv")
         self.title = self.summary.get("title") or Path(self.summary.get("scene") or "").stem or "untitled"
         self.units = ([part.strip() for part in str(self.summary.get("units", "")).split(",")] + ["", "", ""])[:3]
         self.length_unit, self.force_unit, self.stress_unit = self.units
         self.model = self.parameter("Model", default="Plane Strain")
         self.dimension = self.summary.get("dimension", 2)
+        self.moving = self.parameter("Motion", default="Small") == "Moving"  # bodies move far; contact pairs are those of the present shapes
         self.axes = ("r", "axis y") if self.model == "Axisymmetric" else ("x", "y")
         # Suffix of every title, since a plot of an unfinished run must be recognisable by itself.
         self.state_of_answer = "" if self.good and not self.coarse else f"  ({self.verdict})".replace("NOT ", "NOT\u00a0")

@@ -1,8 +1,9 @@
-"""steps.png: contact forces, states of pairs and work over the time of load steps."""
+"""steps.png: contact forces, rigid groups, states of pairs and work over the time of load steps."""
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .friction import SLIP, STICK
+from .rigid_groups import group_panels
 from .style import GREY, LINES, PALETTE, headline, shortened, with_panels, wrapped
 
 CLOSED = "#cfe0ee"
@@ -11,11 +12,12 @@ SEVERAL = 4  # names of contacts per row of the legend
 
 
 def steps_figure(run):
-    """\\return  figure, names of contacts whose forces are not plotted"""
+    """\\return  figure, names of contacts and rigid groups that are not plotted"""
     table = run.steps
     names, left_out = contacts(run)
     axes_named = [axis for axis in "xyz"[:run.dimension] if any(np.any(force(table, name, axis)) for name in names)]
-    panels = len(axes_named) + 2
+    of_groups, groups_left_out = group_panels(run)
+    panels = len(axes_named) + len(of_groups) + 2
     figure, axes = with_panels(panels, 1, (7.0, 1.75 * panels + 1.0), sharex=True, squeeze=False)
     axes = axes[:, 0]
     for axis, component in zip(axes, axes_named):
@@ -24,6 +26,11 @@ def steps_figure(run):
         axis.set_ylabel(f"force {component} [{run.force_unit}]")
     if axes_named and len(names) > 1:
         legend(axes[0], min(len(names), SEVERAL))
+    for axis, (label, lines) in zip(axes[len(axes_named):], of_groups):
+        for name, component, times, values, colour in lines:
+            line(axis, {**table, "time": times}, values, colour, f"{shortened(name)}, {component}")
+        axis.set_ylabel(label)
+        legend(axis, min(len(lines), SEVERAL))
     states(axes[-2], table, run.summary["contact"].get("pairs", 0))
     work(axes[-1], table, run)
     for axis in axes:
@@ -33,7 +40,7 @@ def steps_figure(run):
     figure.align_ylabels(axes)
     count = len(table["time"])
     headline(figure, wrapped(f"{run.title}: {count} load step{'s' if count != 1 else ''}{run.state_of_answer}", 85))
-    return figure, left_out
+    return figure, left_out + groups_left_out
 
 
 def contacts(run):

@@ -12,7 +12,7 @@ FORCE = {"force": NUMBERS, "moment": NUMBERS, "force_error": NUMBER, "force_low"
 # A list in brackets has items of one shape. Required keys are marked with an exclamation mark; "*" matches any name.
 SHAPE = {
     "title": TEXT, "scene": TEXT, "units": TEXT, "failure": TEXT, "mesh_hash": TEXT, "converged!": FLAG, "verified": FLAG, "exit_code!": COUNT,
-    "elements!": COUNT, "dimension": COUNT, "nodes": COUNT, "dofs": COUNT, "ranks": COUNT, "subdomains": COUNT, "interface_dofs": COUNT, "seconds": NUMBER,
+    "elements!": COUNT, "dimension": COUNT, "nodes": COUNT, "dofs": COUNT, "max_displacement": NUMBER, "ranks": COUNT, "subdomains": COUNT, "interface_dofs": COUNT, "seconds": NUMBER,
     "command_line": TEXTS, "notes": TEXTS, "parameters!": {}, "versions!": {"*": TEXT}, "phases!": {"*": RANGE},
     "outer!": {"solver": TEXT, "iterations": COUNT, "pcg_total": COUNT, "residual": NUMBER, "condition": NUMBER},
     "auxiliary": {"iterations": COUNT, "condition": NUMBER, "iteration_seconds": NUMBER},

@@ -6,6 +6,7 @@ from .faces import ContactFaces
 from .frames import Frames, chosen_steps, fields_of_bodies, fields_of_contacts
 from .pack import integers, scale_of, size, text
 from .solid import Reduced, Solid, faces_of
+from .turns import turns_of
 
 MOST_TRIANGLES = 200000  # that a telephone still turns smoothly
 # Attempts, best first: cells for true sections, largest number of load steps, largest number of triangles.
@@ -31,7 +32,7 @@ def view_data(run, room, factor=1.0):
         chosen = chosen_steps(run, steps)
         if run.step is not None and run.step - 1 not in chosen:
             chosen = sorted({*chosen, run.step - 1})
-        if size_of(solid, fields, 1 if chosen is None else len(chosen)) <= room:
+        if size_of(solid, fields, 1 if chosen is None else len(chosen)) + size_of_contacts(run, 1 if chosen is None else len(chosen)) <= room:
             return packed(run, solid, fields, Frames(run, chosen), factor, isinstance(solid, Reduced))
     return None
 
@@ -46,6 +47,14 @@ def size_of(solid, fields, frames):
     return fixed + frames * (size(6 * points) + sum(size(2 * (points if field.place == "point" else cells)) for field in fields))
 
 
+def size_of_contacts(run, frames):
+    """Characters of the contact surfaces: about two triangles for each pair."""
+    if run.contact is None:
+        return 0
+    pairs, fields = len(run.contact.points), len(fields_of_contacts(run, run.contact))
+    return (frames if run.moving else 1) * size(18 * pairs) + frames * size((6 + 2 * fields) * pairs)
+
+
 def packed(run, solid, fields, frames, factor, reduced):
     grid = run.fields
     names = grid.names.get("Bodies") or [f"body {k + 1}" for k in range(int(grid.cell_data["Body"].max()) + 1)]
@@ -55,10 +64,12 @@ def packed(run, solid, fields, frames, factor, reduced):
     place[cells] = np.arange(len(cells))
     points = scale_of([solid.points])
     readers = [lambda p, c: p["Displacement"][()], *(field.read for field in fields)]
-    found = frames.read("fields", readers)
+    found = frames.read(readers)
     moved = [solid.at(frame[0]) for frame in found]
+    low, high = zip(*((place.min(axis=0), place.max(axis=0)) for place in (solid.points, *(solid.points + factor * shift for shift in moved))))
     return {
-        "title": run.title, "state": run.state_of_answer.strip(), "length": run.length_unit, "bodies": names, "enlargement": factor, "frames": frames.labels,
+        "reach": {"low": np.min(low, axis=0).tolist(), "high": np.max(high, axis=0).tolist()}, "turns": turns_of(solid, body, moved, factor),
+        "moving": run.moving, "title": run.title, "state": run.state_of_answer.strip(), "length": run.length_unit, "bodies": names, "enlargement": factor, "frames": frames.labels,
         "first": frames.chosen.index(run.step - 1) if frames.chosen and run.step else len(frames.labels) - 1,
         "reduced": reduced, "inside": bool(solid.cells), "points": {**points.words(), "data": text(points.codes(solid.points))},
         "triangles": integers(solid.triangles), "starts": np.searchsorted(body[solid.owners], np.arange(len(names) + 1)).tolist(),
@@ -74,19 +85,28 @@ def packed(run, solid, fields, frames, factor, reduced):
 
 
 def packed_contacts(run, frames):
-    """The contact surfaces with their fields, or None."""
-    fields = fields_of_contacts(run)
-    faces = ContactFaces(run.contact) if fields else None
-    if faces is None or not len(faces.triangles):
+    """The contact surfaces with their fields, or None. `shapes`: one for each frame if the pairs differ, else one for all."""
+    grids = frames.contacts()
+    faces = [ContactFaces(grid) for grid in grids]
+    if not any(len(one.triangles) for one in faces):
         return None
+    fields = fields_of_contacts(run, next(grid for grid, one in zip(grids, faces) if len(one.triangles)))
     names = list(run.parameter("Contact", default={}))
-    names += [f"contact {k}" for k in range(len(names), int(faces.contacts.max()) + 1)]
-    points = scale_of([faces.points])
-    found = frames.read("contact", [lambda p, c: p["Displacement"][()], *(field.read for field in fields)])
+    names += [f"contact {k}" for k in range(len(names), max(int(one.contacts.max(initial=-1)) for one in faces) + 1)]
+    points = scale_of([one.points for one in faces])
+
+    def values(read):
+        """Of each frame, at the points of its faces."""
+        return [one.at(np.asarray(read(grid.point_data, grid.cell_data), dtype=float)) if grid is not None else None for one, grid in zip(faces, grids)]
+
+    moved = [found if found is not None else np.zeros((0, 3)) for found in values(lambda p, c: p["Displacement"][()])]
     return {
-        "names": names, "points": {**points.words(), "data": text(points.codes(faces.points))}, "triangles": integers(faces.triangles),
-        "starts": np.searchsorted(faces.contacts, np.arange(len(names) + 1)).tolist(), "displacement": coded([faces.at(frame[0]) for frame in found]),
-        "fields": [coded_field(field, [faces.at(frame[k + 1]) for frame in found]) for k, field in enumerate(fields)]
+        "names": names,
+        "shapes": [{"points": {**points.words(), "data": text(points.codes(one.points))}, "triangles": integers(one.triangles),
+                    "starts": np.searchsorted(one.contacts, np.arange(len(names) + 1)).tolist()}
+                   for one in (faces[:1] if all(faces[0].same(one) for one in faces) else faces)],
+        "displacement": coded(moved),
+        "fields": [coded_field(field, [found if found is not None else np.zeros(0) for found in values(field.read)]) for field in fields]
     }
 
 

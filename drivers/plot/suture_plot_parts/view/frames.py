@@ -2,6 +2,7 @@
 import h5py
 import numpy as np
 
+from ..grid import Grid
 from ..style import PlotError
 
 
@@ -38,33 +39,34 @@ def fields_of_bodies(run):
     return found
 
 
-def fields_of_contacts(run):
-    if run.contact is None or not len(run.contact.points):
-        return []
-    names = run.contact.point_data
+def fields_of_contacts(run, grid):
+    """The fields of the contact pairs of a grid."""
     found = [Field("pressure", "contact pressure", run.stress_unit, "pair", at("point", "ContactPressure")),
              Field("gap", "gap", run.length_unit, "pair", at("point", "Gap"))]
-    if "TangentialTraction" in names:
+    if "TangentialTraction" in grid.point_data:
         found.append(Field("tangential", "tangential traction", run.stress_unit, "pair",
                            lambda p, c: np.linalg.norm(p["TangentialTraction"][()], axis=1)))
     return found
 
 
 class Frames:
-    """The files of a run, one pair for each frame of the view. `chosen`: indices of load steps, from 0; None without load steps"""
+    """The files of a run, of bodies and of contacts, for each frame of the view. `chosen`: indices of load steps, from 0; None without load steps"""
 
     def __init__(self, run, chosen):
         self.run, self.chosen = run, chosen
         self.labels = [f"load step {k + 1} of {len(run.steps['time'])}, t = {run.steps['time'][k]:g}" for k in chosen] if chosen else ["result"]
 
-    def _paths(self, kind):
-        grid = self.run.fields if kind == "fields" else self.run.contact
-        return [self.run.folder / f"{kind}_{k:04d}.vtkhdf" for k in self.chosen] if self.chosen else [grid.path]
+    def contacts(self):
+        """The grid of contacts of each frame; None for a frame without pairs."""
+        if not self.chosen:
+            return [self.run.contact]
+        paths = [self.run.folder / f"contact_{k:04d}.vtkhdf" for k in self.chosen]
+        return [Grid(path) if path.is_file() else None for path in paths]
 
-    def read(self, kind, readers):
-        """For each frame, the values of each reader."""
+    def read(self, readers):
+        """For each frame, the values of each reader in the fields of the bodies."""
         found = []
-        for path in self._paths(kind):
+        for path in [self.run.folder / f"fields_{k:04d}.vtkhdf" for k in self.chosen] if self.chosen else [self.run.fields.path]:
             try:
                 with h5py.File(path, "r") as file:
                     root = file["VTKHDF"]

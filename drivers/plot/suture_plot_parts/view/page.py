@@ -102,6 +102,8 @@ def note(data):
         said.append("Cuts are linear between the vertices of the elements.")
     else:
         said.append("The inside of the bodies is left out for the size of the file, so cut bodies look hollow, and the scale is that of the surface.")
+    if data["moving"]:
+        said.append("Cuts are planes of the bodies as drawn, and move with them; contact surfaces are where they are at the end of the step.")
     if data["reduced"]:
         said.append("The surface is coarser than the mesh.")
     return f'<p class="soft">{esc(" ".join(said))}</p>\n<noscript><p>The view needs JavaScript; the pictures below do not.</p></noscript>\n'

@@ -140,6 +140,15 @@
       gather(displacement, this.vertices, this.array("shift"));
       this.geometry.attributes.shift.needsUpdate = true;
     }
+    /* Normals of a body that turns. `matrix`: its rotation, by rows */
+    turn(matrix) {
+      const found = this.array("normal");
+      if (!this.drawn) this.drawn = found.slice();
+      for (let i = 0; i < found.length; i += 3)
+        for (let k = 0; k < 3; ++k)
+          found[i + k] = matrix[3 * k] * this.drawn[i] + matrix[3 * k + 1] * this.drawn[i + 1] + matrix[3 * k + 2] * this.drawn[i + 2];
+      this.geometry.attributes.normal.needsUpdate = true;
+    }
     /* `numbers`: of the vertices, or of the cells of corners. A triangle without a value at one of its corners has none. */
     value(values, numbers) {
       const found = this.array("value");
@@ -265,7 +274,7 @@
         low[i % 3] = Math.min(low[i % 3], this.points[i]);
         high[i % 3] = Math.max(high[i % 3], this.points[i]);
       }
-      this.box = { low, high };
+      this.box = { low, high }; // of the undeformed bodies, for cuts
       this.all = [...data.fields, ...(data.contacts ? data.contacts.fields : [])];
     }
 
@@ -310,16 +319,25 @@
       });
       this.faces = [];
       if (!data.contacts) return;
-      this.contactPoints = vectors(data.contacts.points, data.contacts.points.data);
-      const triangles = integers(data.contacts.triangles);
       this.faces = data.contacts.names.map((name, k) => {
-        const vertices = triangles.subarray(3 * data.contacts.starts[k], 3 * data.contacts.starts[k + 1]);
-        const corners = new Corners(this.contactPoints, vertices, null);
-        const part = { name, corners, number: data.bodies.length + k };
-        part.mesh = this.add(new THREE.Mesh(corners.geometry, this.onContact), this.front);
+        const part = { name, number: data.bodies.length + k };
+        part.mesh = this.add(new THREE.Mesh(new THREE.BufferGeometry(), this.onContact), this.front);
         part.mesh.visible = false;
         part.picks = [this.picked(part.number, false)];
         return part;
+      });
+      this.shapeContacts(data.contacts.shapes[0]);
+    }
+
+    /* The contact surfaces of a load step: the pairs of bodies that move far differ from step to step. */
+    shapeContacts(shape) {
+      if (shape === this.shape) return;
+      this.shape = shape;
+      const points = vectors(shape.points, shape.points.data), triangles = integers(shape.triangles);
+      this.faces.forEach((part, k) => {
+        part.corners = new Corners(points, triangles.subarray(3 * shape.starts[k], 3 * shape.starts[k + 1]), null);
+        part.mesh.geometry.dispose();
+        part.mesh.geometry = part.corners.geometry;
       });
     }
 
@@ -330,7 +348,7 @@
     }
 
     cameras() {
-      const { low, high } = this.box;
+      const { low, high } = this.data.reach;
       this.centre = new THREE.Vector3(...[0, 1, 2].map(k => 0.5 * (low[k] + high[k])));
       this.radius = 0.5 * Math.hypot(...[0, 1, 2].map(k => high[k] - low[k])) || 1;
       this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.01 * this.radius, 40 * this.radius);
@@ -349,9 +367,9 @@
       this.request();
     }
 
-    /* Enlarges the image until the box around the bodies fills the canvas. */
+    /* Enlarges the image until the box around the bodies of all load steps fills the canvas. */
     fit(zoomed = 1) {
-      const { low, high } = this.box, camera = this.camera, turn = camera.matrixWorldInverse;
+      const { low, high } = this.data.reach, camera = this.camera, turn = camera.matrixWorldInverse;
       let wide = 0, tall = 0;
       for (let corner = 0; corner < 8; ++corner) {
         const place = new THREE.Vector3(...[0, 1, 2].map(k => corner >> k & 1 ? high[k] : low[k])).applyMatrix4(turn);
@@ -370,7 +388,9 @@
       this.frame = Math.max(0, Math.min(data.frames.length - 1, number));
       this.shifts = vectors(data.displacement, data.displacement.frames[this.frame]);
       for (const part of this.parts) for (const of of [part.corners, part.lines]) of.shift(this.shifts);
+      if (data.turns) this.parts.forEach((part, body) => part.corners.turn(data.turns[this.frame][body]));
       if (data.contacts) {
+        this.shapeContacts(data.contacts.shapes[data.contacts.shapes.length > 1 ? this.frame : 0]);
         const shifts = vectors(data.contacts.displacement, data.contacts.displacement.frames[this.frame]);
         for (const part of this.faces) part.corners.shift(shifts);
       }
