@@ -33,7 +33,7 @@ std::vector<double> endPoints(const std::vector<SubdomainMesh>& subdomains, cons
     for (const Side& side : found->second) {
       const std::vector<int> nodes = mesh.nodesOf(side);
       for (int end = 0; end < 2; ++end) {
-        const Point x = mesh.point(nodes[std::size_t(end)]);
+        const Point x = mesh.drawnPoint(nodes[std::size_t(end)]);
         rows.insert(rows.end(), x.begin(), x.end());
       }
     }
