@@ -6,7 +6,7 @@ import matplotlib
 import numpy as np
 
 from .animation_frames import PlaneFrames
-from .deformation import seeming
+from .deformation import is_given, seeming
 from .enlarged import enlargement
 from .gif import Colours, write_gif
 from .grid import Grid
@@ -16,7 +16,7 @@ from .style import PlotError, content, rendered
 from .view.frames import chosen_steps
 
 MOST_FRAMES = 80
-DPI = 110
+DPI = 90
 WHOLE = (2.0, 8.0)  # least and largest length of the animation, in seconds
 EACH, SHORTEST, LAST = 0.15, 0.04, 1.0  # seconds: mean length of a frame, least length, length of the last frame
 FIELDS = ("Displacement", "NodalVonMises", "VonMises", "Body")
@@ -73,13 +73,12 @@ def animation(run, path, factor=None, view=None):
     for step in chosen:
         frames.add(fields.at(step), used)
     with matplotlib.rc_context({"savefig.dpi": DPI}):
-        times = run.steps["time"][chosen]
-        write_gif(path, pictures(frames, fields, chosen, used), durations(times), Colours(matplotlib.colormaps["viridis"]))
+        write_gif(path, pictures(frames, fields, chosen, used), durations(run.steps["time"][chosen]), Colours(matplotlib.colormaps["viridis"]))
     count = len(run.steps["time"])
-    some = f" {len(chosen)} of {count} load steps." if len(chosen) < count else ""
-    given = factor is not None or run.parameter("Output", "Enlargement", default="Automatic") != "Automatic"
-    return Picture("animation", "animation", f"Von Mises stress {frames.where} over the load steps, with one colour scale.{some}{seeming(used, limited, given)}",
-                   path=path)
+    some = f" {len(chosen)} of {count} load steps, at equal distances." if len(chosen) < count else ""
+    turning = " White lines show how bodies turn." if frames.turning else ""
+    return Picture("animation", "animation", f"Von Mises stress {frames.where} over the load steps, with one colour scale.{some}{turning}"
+                   f"{seeming(used, limited, is_given(run, factor))}", path=path)
 
 
 def pictures(frames, fields, chosen, factor):

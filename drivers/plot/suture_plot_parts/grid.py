@@ -1,5 +1,6 @@
 """Grids in the field files."""
 import json
+from copy import copy
 from functools import cached_property
 
 import h5py
@@ -61,6 +62,14 @@ class Grid:
         self.side_groups = {name: data[:] for name, data in record["SideGroups"].items()} if "SideGroups" in record else {}
         self.mesh_hash = as_text(record["MeshHash"][()]) if "MeshHash" in record else ""
         self.scene = as_text(record["Input"][()]) if "Input" in record else ""
+
+    def moved(self, points):
+        """The same grid with its points at other places."""
+        other = copy(self)
+        other.points = points
+        for name in ("outlines", "centroids", "boundary", "silhouette", "shared_raster", "shared_images"):  # of the points before
+            other.__dict__.pop(name, None)
+        return other
 
     def polygons(self, points):
         """Outline of each 2D cell, including mid-side nodes."""

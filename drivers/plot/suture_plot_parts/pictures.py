@@ -6,6 +6,7 @@ from .deformation import deformation_figure, is_given, seeming
 from .friction import friction_caption
 from .mesh import mesh_figure
 from .picture import Picture, note_on
+from .placed import in_place
 from .region import region_of_interest
 from .safety import has_safety, safety_caption, safety_figure
 from .scene import scene_figure
@@ -64,16 +65,19 @@ def plane_pages(run, factor, zoom):
         seem += (" An interference, drawn or given, is not enlarged: sides that it presses apart seem to separate, although they "
                  "touch.")
     yield Picture("deformation", "deformation", f"Deformed bodies, coloured by the norm of the displacement; dashed: undeformed.{seem}", figure)
-    yield Picture("von_mises", "von_mises", von_mises_caption(run), von_mises_figure(run))
-    region = (*zoom, f"x {zoom[0]:g} to {zoom[1]:g}, y {zoom[2]:g} to {zoom[3]:g}") if zoom else region_of_interest(run)
+    # Of bodies that move far, stresses are drawn where the contacts are.
+    placed = in_place(run)
+    where = " The bodies are where they are at the end of the step." if run.moving else ""
+    yield Picture("von_mises", "von_mises", von_mises_caption(run) + where, von_mises_figure(placed))
+    region = (*zoom, f"x {zoom[0]:g} to {zoom[1]:g}, y {zoom[2]:g} to {zoom[3]:g}") if zoom else region_of_interest(placed)
     if region:
-        yield Picture("von_mises_zoom", "von_mises", f"Detail {'for' if zoom else ''} {region[4]}.".replace("  ", " "), von_mises_figure(run, region))
-    yield Picture("principal_stress", "principal", principal_caption(run), crosses_figure(run))
+        yield Picture("von_mises_zoom", "von_mises", f"Detail {'for' if zoom else ''} {region[4]}.".replace("  ", " "), von_mises_figure(placed, region))
+    yield Picture("principal_stress", "principal", principal_caption(run) + where, crosses_figure(placed))
     if region:
         yield Picture("principal_stress_zoom", "principal", f"Detail {'for' if zoom else ''} {region[4]}.".replace("  ", " "),
-                      crosses_figure(run, region))
+                      crosses_figure(placed, region))
     if has_safety(run):
-        yield Picture("safety", "von_mises", safety_caption(run), safety_figure(run))
+        yield Picture("safety", "von_mises", safety_caption(run) + where, safety_figure(placed))
     if run.contact is not None and len(run.contact.points):
         for number, (part, figure) in enumerate(contact_figures(run)):
             yield Picture("contact" if number == 0 else f"contact_{number + 1}", "contact", "Contact pressure and gap along each contact line. "

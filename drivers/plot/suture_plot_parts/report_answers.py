@@ -51,7 +51,8 @@ def key_figures(run):
                      f'<div class="where">{esc(where)}{at}</div></div>')
     if not cards:
         return ""
-    return f'<div class="figures">{"".join(cards)}</div>\n<p class="soft">Stresses {esc(taken_at(run))}; positions on the undeformed bodies.</p>\n'
+    where = "where the bodies are at the end" if run.moving else "on the undeformed bodies"
+    return f'<div class="figures">{"".join(cards)}</div>\n<p class="soft">Stresses {esc(taken_at(run))}; positions {where}.</p>\n'
 
 
 def safety(run):

@@ -1,4 +1,4 @@
-"""von_mises_cut.png: the von Mises stress in a plane section of the undeformed bodies."""
+"""von_mises_cut.png: the von Mises stress in a plane section of the bodies."""
 import matplotlib
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -21,8 +21,9 @@ from .page import BESIDE, placer_on, raster_of, ring
 CLOSED, OPEN = TENSION, "white"
 
 
-def cut_figure(scene, plane):
-    run, words = scene.run, plane.words(scene.run.length_unit)
+def cut_figure(run, surface, plane):
+    """\\param run  of in_place()  \\param surface  the outside of the bodies"""
+    words = plane.words(run.length_unit)
     values, nodal = stress(run, "NodalVonMises", "VonMises")
     cut = Cut(run.fields, plane, {"stress": values} if nodal else {})
     if not len(cut.corners):
@@ -38,7 +39,7 @@ def cut_figure(scene, plane):
     colours = matplotlib.colormaps["viridis"]
     show(axes, picture(raster, coloured(raster.interpolate(factor * found), 0.0, factor * top or 1.0, colours)))
     colour_bar(axes, ScalarMappable(Normalize(0.0, factor * top or 1.0), colours), f"von Mises stress [{unit}]")
-    outline, _ = cut.lines(scene.points, scene.surface.triangles)
+    outline, _ = cut.lines(surface.at(run.fields.points), surface.triangles)
     axes.add_collection(LineCollection(outline, colors="black", linewidths=0.8, capstyle="round", zorder=4))
     touching = contact_lines(run, axes, cut)
     if touching:

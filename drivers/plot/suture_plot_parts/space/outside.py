@@ -45,7 +45,10 @@ class Scene:
         return "" if self.factor == 1 else f", displacements enlarged {self.factor:g} times"
 
     def moved_place(self, place):
-        """Position of an undeformed point in the deformed body, by the displacement of the nearest node."""
+        """Position in the deformed body of a place of summary.json: an undeformed point, which moves as the nearest node; if bodies move far, the
+        point where it is."""
+        if self.run.moving:
+            return np.asarray(place)
         nearest = np.argmin(np.linalg.norm(self.run.fields.points - place, axis=1))
         return np.asarray(place) + self.factor * self.run.fields.point_data["Displacement"][nearest]
 

@@ -58,9 +58,15 @@ class Page:
 
     def colour_by(self, values, low, high, colours, label):
         """Colours by values, with a colour bar. `values`: at the points, or per triangle."""
+        self.paint(values, low, high, colours)
+        self.bar(low, high, colours, label)
+
+    def paint(self, values, low, high, colours):
         seen = self.seen
         found = seen.raster.interpolate(values[seen.triangles]) if len(values) == len(seen.points) else values[seen.raster.shown]
         show(self.axes, picture(seen.raster, coloured(found, low, high, colours), seen.light))
+
+    def bar(self, low, high, colours, label):
         colour_bar(self.axes, ScalarMappable(Normalize(low, high), colours), label)
 
     def lines(self, points, edges, **style):

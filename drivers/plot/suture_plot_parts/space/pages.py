@@ -3,6 +3,7 @@ from ..deformation import is_given, seeming
 from ..enlarged import enlargement
 from ..friction import has_friction
 from ..picture import Picture, note_on
+from ..placed import in_place
 from ..safety import has_safety, safety_caption
 from ..stresses import taken_at
 from .contact_page import contact_figures
@@ -20,7 +21,8 @@ from .view import view_from
 
 def pages_in_space(run, factor, view, cut):
     """Yields each plot as soon as it is drawn. \\param view, cut  direction towards the viewer, plane as (axis, value); None: default"""
-    plane = chosen_plane(run, cut)  # first, since it may be invalid
+    placed = in_place(run)
+    plane = chosen_plane(placed, cut)  # first, since it may be invalid
     surface = Surface(run.fields)
     used, limited = enlargement(run, factor, lambda: gaps_of_surface(surface.at(run.fields.points), surface.at(run.fields.point_data["Displacement"]),
                                                                      surface.triangles))
@@ -37,8 +39,9 @@ def pages_in_space(run, factor, view, cut):
                   touch, figure)
     yield Picture("von_mises", "von_mises", f"Von Mises stress on the outside, {taken_at(run)}. The colour scale ends at the largest "
                   f"visible value; the ring marks the overall maximum, dashed if bodies hide it.{seem}", von_mises_figure(scene))
-    yield Picture("von_mises_cut", "von_mises", f"Von Mises stress on the plane {plane.words(run.length_unit)} of the undeformed bodies. "
-                  "The ring marks the largest value there.", cut_figure(scene, plane))
+    yield Picture("von_mises_cut", "von_mises", f"Von Mises stress on the plane {plane.words(run.length_unit)} of the "
+                  f"{'bodies where they are' if run.moving else 'undeformed bodies'}. The ring marks the largest value there.",
+                  cut_figure(placed, surface, plane))
     yield Picture("principal_stress", "principal", f"The principal stress of largest magnitude on the outside, {taken_at(run)}; tension "
                   "red, compression blue. The rings mark the overall maxima of tension and compression, dashed if bodies hide them.",
                   principal_figure(scene))

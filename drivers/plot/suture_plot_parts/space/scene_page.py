@@ -80,8 +80,8 @@ def of_condition(run, surface, condition):
 
 
 def contact_borders(scene, touching):
-    """{contact: (points, edges)}: the borders of the contact surfaces; before the scene is solved, those of sides A."""
-    if scene.run.contact is not None:
+    """{contact: (points, edges)}: the borders of the contact surfaces; before the scene is solved, and of bodies that move far, those of sides A."""
+    if scene.run.contact is not None and not scene.run.moving:
         return {found.name: border_of(found) for found in contact_surfaces(scene.run)}
     found = {}
     for contact in touching:

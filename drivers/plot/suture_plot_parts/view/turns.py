@@ -17,15 +17,22 @@ def turns_of(solid, body, moved, factor):
             vertices = np.unique(solid.triangles[body[solid.owners] == number])
             place = solid.points[vertices]
             found[-1].append(rotation(place, place + factor * shift[vertices]))
-    angles = [np.arccos(np.clip(0.5 * (np.trace(turn) - 1), -1, 1)) for frame in found for turn in frame]
+    angles = [angle_of(turn) for frame in found for turn in frame]
     return [[turn.reshape(-1).tolist() for turn in frame] for frame in found] if max(angles, default=0.0) > SMALL else None
 
 
 def rotation(before, after):
-    """The rotation that fits best (Kabsch 1976); none for bodies that deform too much, or are in several parts."""
+    """The rotation that fits best (Kabsch 1976); none for bodies that deform too much, or are in several parts. Points in 2D or 3D"""
     if len(before) < 3:
-        return np.eye(3)
+        return np.eye(before.shape[1])
     a, b = before - before.mean(axis=0), after - after.mean(axis=0)
     left, _, right = np.linalg.svd(b.T @ a)
-    turn = left @ np.diag([1.0, 1.0, np.sign(np.linalg.det(left @ right))]) @ right
-    return turn if np.abs(a @ turn.T - b).max() <= RIGID * np.ptp(a, axis=0).max() else np.eye(3)
+    left[:, -1] *= np.sign(np.linalg.det(left @ right))  # no reflection
+    turn = left @ right
+    return turn if np.abs(a @ turn.T - b).max() <= RIGID * np.ptp(a, axis=0).max() else np.eye(len(turn))
+
+
+def angle_of(turn):
+    """Radians, from 0 to pi."""
+    cosine = turn[0, 0] if len(turn) == 2 else 0.5 * (np.trace(turn) - 1)
+    return float(np.arccos(np.clip(cosine, -1, 1)))
