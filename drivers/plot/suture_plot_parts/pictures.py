@@ -65,7 +65,7 @@ def plane_pages(run, factor, zoom):
         seem += (" An interference, drawn or given, is not enlarged: sides that it presses apart seem to separate, although they "
                  "touch.")
     yield Picture("deformation", "deformation", f"Deformed bodies, coloured by the norm of the displacement; dashed: undeformed.{seem}", figure)
-    # Of bodies that move far, stresses are drawn where the contacts are.
+    # Stresses of bodies that move far are drawn where the contacts are.
     placed = in_place(run)
     where = " The bodies are where they are at the end of the step." if run.moving else ""
     yield Picture("von_mises", "von_mises", von_mises_caption(run) + where, von_mises_figure(placed))

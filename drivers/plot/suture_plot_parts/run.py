@@ -42,7 +42,7 @@ class RunFolder:
         if fields and self.fields.mesh_hash and self.fields.mesh_hash != self.summary.get("mesh_hash", self.fields.mesh_hash):
             raise PlotError(f"{fields} is of another mesh than summary.json: its run has hash {self.fields.mesh_hash}, "
                             f"that of the summary {self.summary['mesh_hash']}")
-        # Of the same step: a step without pairs writes no contact file.
+        # The file of the same step: a step without pairs has none.
         contact = self.folder / fields.name.replace("fields", "contact", 1) if fields else None
         self.contact = Grid(contact) if contact and contact.is_file() else None
         self.history = self._history(self.folder / "history.csv")
