@@ -10,7 +10,7 @@ list(APPEND pages ${more})
 list(REMOVE_DUPLICATES pages)
 # Runs leave folders next to the scenes, builds next to the examples; the suffixes select source files.
 list(FILTER pages EXCLUDE REGEX "(_out|/build|/__pycache__|^doc/html)/")
-list(FILTER pages INCLUDE REGEX "\\.(md|xml|geo|msh|h5|inp|json|png|svg|py|cpp|hpp|txt|cff)$|^LICENSE$")
+list(FILTER pages INCLUDE REGEX "\\.(md|xml|geo|msh|h5|inp|json|png|gif|svg|py|cpp|hpp|txt|cff)$|^LICENSE$")
 
 # Folder and name of an installed file, "" if it is not installed.
 function(installed out path)

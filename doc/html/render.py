@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import sys
 
-PICTURES = {".png", ".svg", ".jpg"}
+PICTURES = {".png", ".svg", ".jpg", ".gif"}
 PAGE = """<!DOCTYPE html>
 <html lang="en">
 <head>
