@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The interactive view in the report of a 3D run: its data against the fields of the run, its size, its absence; in Chromium, if that is installed,
-what it draws.
+"""The interactive view in the report of a 3D run: its data against the fields of the run, its size, its absence; what its scripts compute, in
+Node.js, and what it draws, in Chromium, if these are installed.
 
     report_view.py --plot suture_plot --work DIR --mpirun "..."
 """
@@ -29,6 +29,7 @@ from suture_plot_parts.view.data import view_data  # noqa: E402
 from suture_plot_parts.view.library import library  # noqa: E402
 
 MISSING = 65535
+WAY = 9.0  # of the upper block in each step of moving()
 
 
 def near(expected, slack):
@@ -172,11 +173,11 @@ def moving(source):
         with h5py.File(folder / f"fields_{k:04d}.vtkhdf", "a") as file:
             place, ends = file["VTKHDF/Points"][:], np.cumsum(file["VTKHDF/NumberOfPoints"][:])
             upper = np.arange(len(place)) >= ends[1]  # the parts of the lower block come first
-            motion = (place - centre) @ turn.T + centre + [4.0 * k, 0, 0] - place
+            motion = (place - centre) @ turn.T + centre + [WAY * k, 0, 0] - place
             file["VTKHDF/PointData/Displacement"][...] = np.where(upper[:, None], motion, 0.0)
         if k < 2:
             with h5py.File(folder / f"contact_{k:04d}.vtkhdf", "a") as file:
-                file["VTKHDF/Points"][...] += [4.0 * k, 0, 0]
+                file["VTKHDF/Points"][...] += [WAY * k, 0, 0]
     rows = "\n".join(f"{k + 1},{k + 1},1,1,0,0,1,1,0" for k in range(count))
     (folder / "steps.csv").write_text(f"step,time,length,active,sticking,slipping,external_work,stored_energy,dissipated_work\n{rows}\n")
     summary = json.loads((folder / "summary.json").read_text())
@@ -187,18 +188,40 @@ def moving(source):
     check("moving: as they are", data["enlargement"], 1.0)
     # The corners of the upper block: half a diagonal of 10 x 10 around the centre, at angles of 45 degrees and that of the step.
     half = [5 * np.sqrt(2) * np.cos(np.pi / 4 - k * angle) for k in range(count)]
-    check("moving: box of all steps", data["reach"]["high"][:2], near([5 + 8 + half[2], 5 + max(half)], 1e-2))
-    check("moving: box of the drawn bodies", data["reach"]["low"], near([min(0, *(5 + 4 * k - half[k] for k in range(count))), 5 - max(half), 0], 1e-2))
+    check("moving: box of all steps", data["reach"]["high"][:2], near([5 + 2 * WAY + half[2], 5 + max(half)], 1e-2))
+    check("moving: box of the drawn bodies", data["reach"]["low"], near([min(0, *(5 + WAY * k - half[k] for k in range(count))), 5 - max(half), 0], 1e-2))
     turns = np.array(data["turns"])
     check("moving: the lower block does not turn", turns[:, 0], near(np.tile(np.eye(3).reshape(-1), (count, 1)), 1e-3))
     check("moving: the upper one does", np.arctan2(turns[:, 1, 3], turns[:, 1, 0]), near(angle * np.arange(count), 1e-3))
     contacts = data["contacts"]
     middles = [values(shape["points"], shape["points"]["data"], 3).mean(axis=0)[:1].tolist() for shape in contacts["shapes"][:2]]
-    check("moving: contact surfaces of each step", (len(contacts["shapes"]), middles), lambda found: found[0] == count and near([[5.0], [9.0]], 1e-2)(found[1]))
+    check("moving: contact surfaces of each step", (len(contacts["shapes"]), middles), lambda found: found[0] == count and near([[5.0], [5.0 + WAY]], 1e-2)(found[1]))
     check("moving: none at the end", ([len(numbers(shape["triangles"])) > 0 for shape in contacts["shapes"]], contacts["fields"][0]["frames"][2]),
           ([True, True, False], ""))
     check("moving: no picture of an earlier contact", (folder / "contact.png").exists(), False)
     check("small motions: normals as drawn", data_of(source)["turns"], None)
+    if shutil.which("node"):
+        without_browser(folder, angle)
+
+
+def without_browser(folder, angle):
+    """What the page would draw of moving(), computed by its own scripts in Node.js. `angle`: of the upper block in each step"""
+    done = subprocess.run(["node", str(Path(__file__).with_name("view_without_browser.js")), str(folder / "report.html")], capture_output=True, text=True,
+                          timeout=100 * SLOWER)
+    check("node: the page runs", (done.returncode, done.stderr), (0, ""))
+    if done.returncode:
+        return
+    for k, frame in enumerate(json.loads(done.stdout)):
+        lower, upper = frame["bodies"]
+        check(f"node, frame {k + 1}: places", [lower["centre"], upper["centre"]], near([[5, 5, 2.5], [5 + WAY * k, 5, 7.5]], 1e-2))
+        check(f"node, frame {k + 1}: normals after {k * angle:g} rad", max(lower["normals"], upper["normals"]), lambda off: off < 2e-3)
+        check(f"node, frame {k + 1}: nothing outside of the canvas", max(lower["edge"], upper["edge"]), lambda edge: 0.2 < edge < 1)
+        (joint,) = frame["contacts"]
+        if k < 2:
+            check(f"node, frame {k + 1}: contact surface", (joint["drawn"], joint["low"] + joint["high"]),
+                  lambda found, k=k: found[0] and near([WAY * k, 0, 5, 10 + WAY * k, 10, 5], 1e-2)(found[1]))
+        else:
+            check(f"node, frame {k + 1}: no contact surface", joint["count"], 0)
 
 
 def curved():
