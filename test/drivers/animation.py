@@ -166,6 +166,18 @@ for number, (image, row) in enumerate(zip(images, [row for row in rows_of(space,
           lambda apart: abs(apart) < 2.5)
 check("3D: in the report", "data:image/gif" in (space / "report.html").read_text(encoding="utf-8"), True)
 
+# Parts of a tunnel are removed between load steps: the mesh of the last step is another one.
+tunnel = solved("driven_tunnel", INPUT / "driven_tunnel" / "driven_tunnel.xml")
+check("tunnel: suture_plot", animated(tunnel)[0], 0)
+images, _ = frames_of(tunnel / "animation.gif")
+middles = []
+for image in (images[0], images[-1]):
+    found = bodies(image)
+    rows, columns = (np.flatnonzero(found.any(axis=axis)) for axis in (1, 0))
+    row, column = (rows[0] + rows[-1]) // 2, (columns[0] + columns[-1]) // 2
+    middles.append(np.count_nonzero(found[row - 3:row + 4, column - 3:column + 4]))
+check("tunnel: rock in its middle at first, none at the end", middles, lambda counts: counts[0] > 30 and counts[1] == 0)
+
 # Clear errors.
 steady = solved("linear_square", INPUT / "linear_square" / "linear_square.xml")
 bare = solved("bare", INPUT / "sliding_block" / "sliding_block.xml", *setting("Output/Fields", "false"))
