@@ -204,6 +204,26 @@ def moving(source):
         without_browser(folder, angle)
 
 
+def removed(source):
+    """Steps before a body was removed have another mesh: the view shows the others."""
+    folder = options.work / "removed"
+    shutil.copytree(source, folder, ignore=shutil.ignore_patterns("*.png"))
+    last = folder / "fields_0001.vtkhdf"
+    space_scenes.blocks(folder, CELLS[12].faces, n=2)
+    (folder / "fields_0000.vtkhdf").rename(last)
+    (folder / "contact_0000.vtkhdf").unlink()
+    shutil.copy(source / "fields_0000.vtkhdf", folder)
+    shutil.copy(last, folder / "fields_0002.vtkhdf")
+    rows = "\n".join(f"{k + 1},{k + 1},1,0,0,0,1,1,0" for k in range(3))
+    (folder / "steps.csv").write_text(f"step,time,length,active,sticking,slipping,external_work,stored_energy,dissipated_work\n{rows}\n")
+    summary = json.loads((folder / "summary.json").read_text())
+    summary["load_steps"] = {"count": 3, "time": 3.0}
+    (folder / "summary.json").write_text(json.dumps(summary))
+    check("removed: suture_plot", forked(options.plot, folder)[0], 0)
+    check("removed: steps on the last mesh", data_of(folder)["frames"], ["load step 2 of 3, t = 2", "load step 3 of 3, t = 3"])
+    check("removed: the report says so", "Load steps with other bodies" in (folder / "report.html").read_text(encoding="utf-8"), True)
+
+
 def without_browser(folder, angle):
     """What the page would draw of moving(), computed by its own scripts in Node.js. `angle`: of the upper block in each step"""
     done = subprocess.run(["node", str(Path(__file__).with_name("view_without_browser.js")), str(folder / "report.html")], capture_output=True, text=True,
@@ -470,6 +490,7 @@ if library() is None:
 source = blocks()
 folder = steps(source)
 moving(source)
+removed(source)
 curved()
 safety(source)
 without_library(source)

@@ -90,7 +90,7 @@ def missing(run):
     if run.fields is None:
         notes.append("this run wrote no fields_*.vtkhdf: mesh, deformation, stresses and contact are not plotted")
     elif run.contact is None or not len(run.contact.points):
-        notes.append("no contact in this scene: no contact.png")
+        notes.append(f"no contact {'pairs at this step' if run.parameter('Contact', default={}) else 'in this scene'}: no contact.png")
     if not run.history:
         notes.append("no outer iterations in this run: no convergence.png")
     return notes

@@ -3,7 +3,7 @@ import numpy as np
 
 from ..units import scaled
 from .faces import ContactFaces
-from .frames import Frames, chosen_steps, fields_of_bodies, fields_of_contacts
+from .frames import Frames, SameMesh, chosen_steps, fields_of_bodies, fields_of_contacts
 from .pack import integers, scale_of, size, text
 from .solid import Reduced, Solid, faces_of
 from .turns import turns_of
@@ -19,7 +19,7 @@ def view_data(run, room, factor=1.0):
 
     \\param factor  enlargement of the displacements at first
     """
-    whole = {}
+    whole, same = {}, SameMesh(run)
     fields = fields_of_bodies(run)
     for inside, steps, most in PLANS:
         if inside not in whole:
@@ -32,8 +32,10 @@ def view_data(run, room, factor=1.0):
         chosen = chosen_steps(run, steps)
         if run.step is not None and run.step - 1 not in chosen:
             chosen = sorted({*chosen, run.step - 1})
+        others = [step for step in chosen or [] if not same(step)]
+        chosen = [step for step in chosen if step not in others] if chosen is not None else None
         if size_of(solid, fields, 1 if chosen is None else len(chosen)) + size_of_contacts(run, 1 if chosen is None else len(chosen)) <= room:
-            return packed(run, solid, fields, Frames(run, chosen), factor, isinstance(solid, Reduced))
+            return {**packed(run, solid, fields, Frames(run, chosen), factor, isinstance(solid, Reduced)), "others": bool(others)}
     return None
 
 

@@ -85,3 +85,20 @@ def chosen_steps(run, most):
         return [count - 1]
     return sorted({int(round(k)) for k in np.linspace(0, count - 1, min(most, count))})
 
+
+class SameMesh:
+    """Finds the load steps whose fields are on the mesh of run.fields: between steps bodies may be removed or placed."""
+
+    def __init__(self, run):
+        self.run, self._known = run, {}
+
+    def __call__(self, step):
+        if step not in self._known:
+            path = self.run.folder / f"fields_{step:04d}.vtkhdf"
+            try:
+                with h5py.File(path, "r") as file:
+                    points = file["VTKHDF/Points"]
+                    self._known[step] = points.shape == self.run.fields.points.shape and np.array_equal(points[:], self.run.fields.points)
+            except (OSError, KeyError, ValueError) as error:
+                raise PlotError(f"{path} is not a field file of this run, or is damaged: {error}") from error
+        return self._known[step]

@@ -102,6 +102,8 @@ def note(data):
         said.append("Cuts are linear between the vertices of the elements.")
     else:
         said.append("The inside of the bodies is left out for the size of the file, so cut bodies look hollow, and the scale is that of the surface.")
+    if data["others"]:
+        said.append("Load steps with other bodies, which were removed or placed later, are left out.")
     if data["moving"]:
         said.append("Cuts are planes of the bodies as drawn, and move with them; contact surfaces are where they are at the end of the step.")
     if data["reduced"]:
