@@ -29,7 +29,7 @@ struct StepRow {
   /// Motion of a rigid group from the drawn body, and what its condition does to the body: prescribed motions, `Force` and `Moment`.
   struct Group {
     std::string name;
-    Point displacement{0, 0, 0}, rotation{0, 0, 0};  ///< displacement of its point [length]; in 2D all turns count [radians]
+    Point displacement{0, 0, 0}, rotation{0, 0, 0};  ///< motion of its point [length], rotation vector [radians]; in 2D with all turns
     Point force{0, 0, 0}, moment{0, 0, 0};           ///< moment about its point where it is now [force, force x length]
   };
   std::vector<Group> groups{};    ///< on rank 0, by condition
