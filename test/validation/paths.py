@@ -3,12 +3,18 @@ import math
 
 import numpy as np
 
-from runfiles import contact, fields, placeAt, steps, summary
+from runfiles import contact, fields, motions, placeAt, steps, summary
 
 
 def path_value(folder, _, column, time, since=None):
     """A column of steps.csv at a time, minus its value at an earlier time."""
     table = steps(folder)
+    return float(table[column][placeAt(table, time)] - (table[column][placeAt(table, since)] if since is not None else 0.0))
+
+
+def path_motion(folder, _, body, column, time, since=None):
+    """A column of frames.csv of a body at a time, minus its value at an earlier time."""
+    table = motions(folder, body)
     return float(table[column][placeAt(table, time)] - (table[column][placeAt(table, since)] if since is not None else 0.0))
 
 

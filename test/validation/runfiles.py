@@ -55,6 +55,13 @@ def steps(folder):
     return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
 
 
+def motions(folder, body):
+    """Columns of frames.csv (Motion = Moving) of a body of one connected part."""
+    with open(os.path.join(folder, "frames.csv"), newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["body"] == body]
+    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name != "body"}
+
+
 def placeAt(table, time):
     """Index of the load step that ends at a time."""
     at = int(np.argmin(np.abs(table["time"] - time)))

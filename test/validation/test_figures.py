@@ -69,6 +69,8 @@ def pushed(folder, factor=1.0):
         file.write("step,time,active,sticking,slipping,external_work,stored_energy,dissipated_work,force touch x,force touch y,force touch z\n")
         for time, force, work in ((1, normal / 2, 0.0), (2, -normal / 2, 1.0), (3, normal, math.pi / 16 * factor)):
             file.write(f"{time},{time},3,2,1,{factor * 4.0!r},{factor * 3.0!r},{factor * work!r},{factor * force!r},{-normal!r},0\n")
+    with open(os.path.join(folder, "frames.csv"), "w") as file:
+        file.write("time,body,displacement_x\n" + "".join(f"{time},a,{factor * time * time!r}\n{time},b,0\n" for time in (1, 2, 3)))
     with open(os.path.join(folder, "summary.json"), "w") as file:
         file.write('{"parameters": {"Load Steps": {"Times": [1.0, 2.0, 3.0]}}}')
 
@@ -130,6 +132,7 @@ with tempfile.TemporaryDirectory() as exact, tempfile.TemporaryDirectory() as wr
     check("traction in the middle", figures.figure("path.mindlinTraction", exact, turns=[1, 2], at=0, **unit), math.sqrt(0.5) - 1)
     check("work of full slip", figures.figure("path.mindlinDissipation", exact, time=3, **unit), 1.0, 1e-6)
     check("a value", figures.figure("path.value", exact, column="force touch x", time=2, since=1), -math.pi / 2)
+    check("a motion", figures.figure("path.motion", exact, body="a", column="displacement_x", time=3, since=1), 8)
     check("a ratio", figures.figure("path.ratio", exact, column="external_work", over="stored_energy", time=2), 4 / 3)
     for name in ("forceDifference", "stateDifference", "workDifference"):
         check(f"{name} of a path to itself", figures.figure(f"path.{name}", exact, exact), 0)
