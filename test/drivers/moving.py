@@ -1,33 +1,18 @@
 """Bodies that slide and turn far (Motion = Moving): the same results for any number of steps and ranks, in turned axes, and against statics,
 Hertz and another program; refused scenes.
 
-moving.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
+moving.py --solve PROGRAM --partition PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
 import csv
-import json
 import math
 import pathlib
 
 from harness import arguments, check, finish, run, setting
+from moving_runs import force, solve, table
 
-options = arguments("--solve", "--input")
+options = arguments("--solve", "--partition", "--input")
 INPUT = pathlib.Path(options.input)
-
-
-def solve(name, scene, *words, ranks=1):
-    """Exit code, output, summary, rows of steps.csv and of frames.csv."""
-    folder = options.work / name
-    code, text = run(options.solve, ranks, scene, "--output", folder, *words, timeout=300)
-    tables = []
-    for table in ("steps.csv", "frames.csv"):
-        path = folder / table
-        tables.append(list(csv.DictReader(path.open())) if path.exists() else [])
-    path = folder / "summary.json"
-    return code, text, json.loads(path.read_text()) if path.exists() else {}, *tables
-
-
-def force(row, contact="joint"):
-    return [float(row[f"force {contact} {axis}"]) for axis in "xy"]
+HERE = pathlib.Path(__file__).parent
 
 
 # A block presses on a base of another mesh and slides by half of its length, with friction. CalculiX with 20 increments: a normal force
@@ -57,7 +42,7 @@ dissipated = [float(row["dissipated_work"]) for row in rows]
 check("block: friction only dissipates", dissipated == sorted(dissipated), True)
 
 # The same press, seen from turned axes: both bodies turn about the origin by any angle.
-TURNED = pathlib.Path(__file__).parent / "turned_block.xml"
+TURNED = HERE / "turned_block.xml"
 first = None
 for angle in (0.0, 0.3, 1.0, 3.0, 100.0):
     words = setting("Boundary Conditions/ground/Rotation z", angle)
@@ -71,6 +56,37 @@ for angle in (0.0, 0.3, 1.0, 3.0, 100.0):
     check(f"turned by {angle}: forces turn along", max(abs(a - b) for a, b in zip(own, first)) / abs(first[1]), lambda part: part < 1e-9)
     check("frames", max(abs(float(row["rotation_z"]) - angle) for row in frames), lambda apart: apart < 1e-10)
 
+# A bush pressed into a plate (plane stress; drawn with an interference of 0.002) between rigid rings, turned with the plate and pushed aside. Pressure
+# by Lame: u = A (r - s^2 / r) is zero at the radius s of the rigid ring.
+PLATE = HERE / "turned_plate.xml"
+
+
+def lame(young, poisson, interference, inside, fit, outside):
+    def flexibility(s):  # displacement at the fit over the radial stress there
+        return (1 - poisson**2) / young * (fit - s * s / fit) / (1 + poisson + (1 - poisson) * (s / fit) ** 2)
+    return interference / (flexibility(inside) - flexibility(outside))
+
+
+first = None
+for aside, angle in ((0.0, 0.0), (0.0, 2.0), (5e-4, 0.0), (5e-4, 0.3), (5e-4, 3.0), (5e-4, -100.0)):
+    words = setting("Boundary Conditions/frame/Rotation z", angle)
+    for motion, value in (("Motion x", -aside * math.sin(angle)), ("Motion y", aside * math.cos(angle)), ("Rotation z", angle)):
+        words += setting(f"Boundary Conditions/shaft/{motion}", repr(value))
+    name = f"plate_{aside}_{angle}"
+    code, _, summary, rows, frames = solve(name, PLATE, *words, *setting("Outer Solver/Tolerance", "1e-10"))
+    check(f"plate turned by {angle}: solved", (code, summary["verified"], {row["body"] for row in frames}), (0, True, {"bush", "plate"}))
+    pairs = table(options.work / name, "contact.csv")
+    pressure = sum(float(pair["force"]) for pair in pairs) / sum(float(pair["length"]) for pair in pairs)
+    x, y = force(rows[-1])
+    if aside == 0:
+        check(f"plate turned by {angle}: Lame", pressure / lame(2.1e5, 0.3, 0.002, 1, 2, 4) - 1, lambda part: abs(part) < 3e-3)
+        check("plate: no force", math.hypot(x, y), lambda size: size < 1e-6 * 12.6 * pressure)
+        continue
+    own = [x * math.cos(angle) + y * math.sin(angle), -x * math.sin(angle) + y * math.cos(angle), pressure]
+    first = first or own
+    check("plate: pushed aside", first[1] > 100 and abs(first[0]) < 1e-6 * first[1], True)
+    check(f"plate turned by {angle}: forces and pressure turn along", max(abs(a - b) for a, b in zip(own, first)) / first[1], lambda part: part < 1e-9)
+
 # A roller on a plane: Hertz' pressure at all angles, and a path of 2 pi R a turn.
 code, _, summary, rows, frames = solve("roller", INPUT / "roller" / "roller.xml", *setting("Output/Tables", "true"))
 check("roller: all steps, the long ones halved", (code, summary["verified"], 17 < len(rows) < 40), (0, True, True))
@@ -83,6 +99,10 @@ check("roller: angle", abs(float(last["rotation_z"]) + 1.6), lambda apart: apart
 for row in rows:
     check("roller: forces", max(abs(force(row)[0]), abs(force(row)[1] + 12000)), lambda apart: apart < 1e-3)
 
+code, _, summary, _, _ = solve("roller_plane_stress", INPUT / "roller" / "roller.xml", *setting("Model", "Plane Stress"), *setting("Load Steps/Times", "{1, 2}"))
+half = math.sqrt(4 * 12000 * 10 / math.pi / (2.1e5 / 2))
+check("roller in plane stress: Hertz", (code, summary["extremes"]["pressure"]["value"] / (2 * 12000 / math.pi / half)), lambda found: found[0] == 0 and 0.98 < found[1] < 1.025)
+
 # A pin in the bore of a lug that turns about it: the contact stays at the friction angle.
 code, _, summary, rows, _ = solve("hinge", INPUT / "hinge" / "hinge.xml")
 check("hinge: all steps", (code, summary["verified"]), (0, True))
@@ -91,12 +111,30 @@ check("hinge: the friction angle", abs(math.atan2(-float(joint["centre_x"]), flo
 check("hinge: torque with the arc of contact", abs(-float(joint["mz"]) / 1e4 / 0.19844 - 1), lambda part: part < 1e-3)
 check("hinge: pressure", abs(summary["extremes"]["pressure"]["value"] / 202.5 - 1), lambda part: part < 0.01)
 
-# What bodies that move far cannot have, all at once.
+# Settings that bodies that move far cannot have. All are reported together.
 for name, words, expected in (
         ("steps", setting("Load Steps/Times", "{}"), "Load Steps/Times"),
         ("accuracy", setting("Accuracy/Error", 0.01), "Accuracy/Error"),
         ("motion", setting("Motion", "Movin"), "Did you mean 'Moving'?"),
+        ("removed", setting("Load Steps/Removed/block", 2), "Load Steps: is not supported"),
         ("formulation", [*setting("Formulation", "Condensed Groups"), *setting("Outer Solver/Type", "Semismooth Newton")], "Formulation")):
     code, text, *_ = solve("bad_" + name, BLOCK, *words)
     check(f"refused: {name}", (code, expected in text), (3, True))
+ALL = {"Load Steps/Times", "Model", "Boundary Conditions", "Contact", "Formulation", "Outer Solver/Start", "Output/Error Bound",
+       "Boundary Conditions/springs", "Boundary Conditions/in situ", "Materials/wood/Type"}
+for name, ranks, words, expected in (
+        ("all", 1, [], ALL), ("ranks_2", 2, [], ALL),
+        ("all_with_accuracy", 1, [*setting("Outer Solver/Start", "Bilateral"), *setting("Accuracy/Error", 0.1)], ALL - {"Outer Solver/Start"} | {"Accuracy/Error"}),
+        ("small", 1, setting("Motion", "Small"), set())):
+    code, text, *_ = solve("bad_" + name, HERE / "moving_refused.xml", *words, ranks=ranks)
+    found = {line.split(":")[0].strip() for line in text.splitlines() if "Motion = Moving" in line and line.startswith("  ")}
+    check(f"refused together: {name}", found, expected)
+    check(f"refused together: {name}, exit code", (code, f"{len(expected)} errors" in text), lambda end: end == (3, True) or not expected)
+    check("refused: nothing is written", (options.work / f"bad_{name}" / "steps.csv").exists(), False)
+mesh = options.work / "block.h5"
+check("partitioned", run(options.partition, 1, BLOCK, "--output", mesh)[0], 0)
+partitioned = options.work / "partitioned.xml"
+partitioned.write_text(BLOCK.read_text().replace('"Generator" type="string" value="Boxes"', f'"File" type="string" value="{mesh}"'))
+code, text, *_ = solve("bad_partition", partitioned, *setting("Partition/Type", "Partitioned Mesh"))
+check("refused: a partitioned mesh", (code, "Partition/Type: is not supported with Motion = Moving" in text), (3, True))
 finish()
