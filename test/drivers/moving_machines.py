@@ -58,6 +58,17 @@ for ranks in (1, 2):
         moved = motion(frames, "block", "displacement_x", float(row["time"]))
         check("rocking: the corner stays", math.sqrt(10) * math.sin(math.atan(1 / 3) - angle), near(1 - moved, 1e-3))
 
+# Put down again and tilted to the other side: the same force in the other direction, and no turn between.
+code, _, summary, rows, frames = solve("rocking_back", scene("rocking_block"), *setting("Load Steps/Times", "{1, 2, 3, 4}"),
+                                       *setting("Load Steps/Factors/push", "{0, 0.2, 0, -0.2}"))
+at = {float(row["time"]): row for row in rows}
+check("rocking back: all steps", (code, summary["verified"]), (0, True))
+for time, side in ((2, 1), (4, -1)):
+    angle = -motion(frames, "block", "rotation_z", time)
+    check("rocking back: angle", angle, lambda found: 0.08 < side * found < 0.09)
+    check("rocking back: statics", force(at[time])[0] / 294.3, near(side * math.tan(math.atan(1 / 3) - side * angle), 1e-4))
+check("rocking back: stands", (motion(frames, "block", "rotation_z", 3), at[3]["active"]), lambda found: abs(found[0]) < 1e-4 and found[1] == "17")
+
 # Too little friction for that: the block slides, with the angle of rest.
 code, _, summary, rows, frames = solve("pushed", scene("rocking_block"), *setting("Contact/joint/Coulomb/Coefficient", 0.2))
 check("pushed: all steps", (code, summary["verified"]), (0, True))
@@ -75,6 +86,21 @@ for row in rows[1:]:
     check(f"screw: path at {angle:.3f}", sunk / (LEVER * angle) - 1, near(0, 1e-3))
     check("screw: load", force(row, "thread", "z")[0], near(-2000, 1e-3))
 check("screw: torque", float(reactions("screw")["drive"]["mz"]) / (-2000 * LEVER) - 1, near(0, 4e-3))
+
+code, _, _, rows, frames = solve("screw_at_once", scene("screw"), *setting("Load Steps/Times", "{1, 5}"))
+at_once = start - motion(frames, "nut", "displacement_z")
+check("screw: independent of the number of steps", (code, len(rows), abs(at_once / sunk - 1) < 1e-5), (0, 2, True))
+
+# A nut that is free to turn: friction holds it only above tan lambda, 0.095 to 0.159 at its radii.
+free = options.work / "free_nut.xml"
+text = scene("screw").read_text().replace('"screw.geo"', f'"{scene("screw").with_suffix(".geo").resolve()}"')
+free.write_text(text.replace('<Parameter name="Rotation z" type="double" value="0"/>', ""))
+for friction, expected in ((0.0, 3), (0.08, 3), (0.2, 0)):
+    code, text, _, _, frames = solve(f"free_nut_{friction}", free, *setting("Boundary Conditions/drive/Rotation z", 0), *setting("Load Steps/Times", "{1}"),
+                                     *setting("Load Steps/Factors/drive", "1"), *setting("Contact/thread/Law", "Coulomb"),
+                                     *setting("Contact/thread/Coulomb/Coefficient", friction))
+    check(f"free nut, friction {friction}", (code, "body 'nut' can turn about the axis" in text), (expected, expected == 3))
+check("free nut: stays", abs(motion(frames, "nut", "rotation_z")), lambda angle: angle < 1e-3)
 
 # With friction each pair at the radius r carries the torque r tan(rho - lambda) of its axial force. The last step is short: friction acts along
 # the chord of the slip of a step.
