@@ -30,6 +30,15 @@ Point turnBetween(const BodyFrame& from, const BodyFrame& to) {
   return rotationVector(to.orientation() * from.orientation().conjugate());
 }
 
+Point endOfArc(const Point& chord, const Point& rotation) {
+  const double angle = norm(rotation);
+  if (angle == 0.0) return chord;
+  const Point axis = scaled(1.0 / angle, rotation), along = scaled(dot(chord, axis), axis), across = minus(chord, along);
+  const double half = 0.5 * angle;
+  const Eigen::Vector3d turned = rotationBy(scaled(0.5, rotation)) * vectorOf(across);
+  return plus(along, scaled(half / std::sin(half), pointOf(turned)));
+}
+
 Point BodyFrame::at(const Point& drawn) const { return plus(place_, turn(minus(drawn, centre_))); }
 
 Point BodyFrame::turn(const Point& vector) const {

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/base/Types.hpp>
+#include <suture/base/Point.hpp>
 
 #include <Eigen/Geometry>
 
@@ -17,6 +17,8 @@ class BodyFrame {
 
   /// Present place of a drawn point.
   Point at(const Point& drawn) const;
+  /// Drawn point at a present place.
+  Point drawnAt(const Point& place) const { return plus(centre_, turnBack(minus(place, place_))); }
   /// R v
   Point turn(const Point& vector) const;
   /// R^T v
@@ -46,6 +48,10 @@ class BodyFrame {
 
 /// Rotation vector that turns one frame to another; about z alone all turns count. [radians]
 Point turnBetween(const BodyFrame& from, const BodyFrame& to);
+/// Displacement of a point in a uniform motion (shift and rotation at constant rates), straightened along the direction of motion at its
+/// end: the length of the way instead of that of its chord. \param chord  displacement \param rotation  rotation vector of the motion, of
+/// at most pi
+Point endOfArc(const Point& chord, const Point& rotation);
 /// Unit quaternion of a rotation vector.
 Eigen::Quaterniond rotationBy(const Point& vector);
 /// Rotation vector of a unit quaternion; its length is at most pi.

@@ -1,6 +1,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/CellGeometry.hpp>
+#include <suture/partition/TurnFromDrawn.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 #include <suture/subdomain/NodalAssembly.hpp>
 #include <suture/subdomain/Subdomain.hpp>
@@ -22,19 +23,6 @@ void registerBuiltIns(Registry<Subdomain>& registry) {
 namespace {
 
 constexpr double kSameAxes = 1e-9;  // difference of axes, and of coefficients of rigid groups, that is round-off of frames
-
-/// Rotation of a mesh against the drawn one: that which fits its nodes best.
-Matrix turnOf(const SubdomainMesh& mesh) {
-  const int d = mesh.dimension;
-  const Matrix none = Matrix::Identity(d, d);
-  if (mesh.drawn.empty()) return none;
-  const Eigen::Map<const Matrix> now(mesh.coordinates.data(), d, mesh.nodes()), before(mesh.drawn.data(), d, mesh.nodes());
-  const Matrix sums = (now.colwise() - now.rowwise().mean()) * (before.colwise() - before.rowwise().mean()).transpose();
-  const SingularValues parts = singularValues(sums);
-  Matrix turn = parts.u * parts.v.transpose();
-  if (turn.determinant() < 0.0) turn -= 2.0 * parts.u.col(d - 1) * parts.v.col(d - 1).transpose();
-  return (turn - none).norm() < 1e-14 ? none : turn;
-}
 
 std::vector<double> coefficientsOf(const SubdomainMesh& mesh) {
   std::vector<double> all;
@@ -79,7 +67,7 @@ Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.no
 
 void Subdomain::takeAxes() {
   const int d = components();
-  turn_ = turnOf(mesh_);
+  turn_ = turnFromDrawn(mesh_);
   axesOfNode_.clear(), axes_.clear();
   if (!turn_.isIdentity(0.0)) {
     axesOfNode_.assign(mesh_.nodes(), 0);

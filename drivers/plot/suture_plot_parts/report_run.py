@@ -61,7 +61,7 @@ def load_steps(run):
     rows += [(f"{words} [{esc(force)} {esc(length)}]", number(work[key])) for key, words in (
         ("external", "external work"), ("stored", "stored energy"), ("dissipated", "work dissipated by friction")) if key in work]
     if "step_error" in work:
-        rows.append(("step size error, relative to external work", number(work["step_error"], form=".3g")))
+        rows.append(("step size error, relative to the works of loads and motions", number(work["step_error"], form=".3g")))
     return table(("", ""), rows, numeric=(1,))
 
 

@@ -70,7 +70,7 @@ OwnForces modelForces(const SubdomainMesh& mesh, const ElasticModel& model, cons
   OwnForces all{elementForces(mesh, materialOf, model.plane, displacement), Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension)};
   forEachLoad(mesh, model, [&](int number, const Vector& forces) {
     all.load += forces;
-    reactions.addLoad(mesh, number, forces);
+    if (!model.loads[static_cast<std::size_t>(number)].isCorrection) reactions.addLoad(mesh, number, forces);
   });
   addSupports(mesh, model, displacement, all, reactions);
   addInitial(mesh, model, all);

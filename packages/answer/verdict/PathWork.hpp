@@ -1,18 +1,20 @@
 #pragma once
 #include <suture/answer/verdict/Verify.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace suture {
 
-/// Work on a path of load steps, starting from the undeformed bodies; within a step forces change linearly with the displacements. [energy]
+/// Work on a path of load steps, starting from the undeformed bodies; within a step forces change linearly with the displacements. Loads
+/// keep their directions, forces of prescribed motions turn with the bodies, which turn uniformly. [energy]
 struct PathWork {
   double external = 0.0;    ///< work of loads and prescribed displacements
   double stored = 0.0;      ///< u.K u / 2, including elastic supports
   double normal = 0.0;      ///< work absorbed by normal contact forces of pairs that open or close: tends to zero for short steps
   double tangential = 0.0;  ///< work absorbed by tangential contact forces
   double dissipated = 0.0;  ///< work of friction as in PairResult: force at the end of each step times the slip of the step
-  double size = 0.0;        ///< sum of the magnitudes of the steps' works
+  double size = 0.0;        ///< sum over the steps of the magnitudes of the works of loads, and of prescribed motions
 
   /// Work that is neither stored nor absorbed by contact, relative to `size`: lack of equilibrium along the path.
   double imbalance() const;
@@ -34,11 +36,13 @@ class WorkMeter {
  private:
   /// External forces and displacements at the end of a step, of the nodes that this rank counts.
   struct End {
-    std::vector<Matrix> force, displacement;  // by mesh: dimension x nodes
-    std::vector<PairResult> pairs;            // on rank 0
+    std::vector<Matrix> load, held, displacement;  // by mesh: dimension x nodes; held: forces of prescribed motions
+    std::vector<Matrix> turn;                      // by mesh: rotation from the drawn body
+    std::vector<PairResult> pairs;                 // on rank 0
     double stored = 0.0;
   };
   End endOf(const Answer& answer) const;
+  std::pair<double, double> externalWork(const End& now) const;
 
   const Comm& comm_;
   End before_;

@@ -69,6 +69,8 @@ struct Load {
   std::map<GlobalId, Point> forces{};
   Point torque{0, 0, 0};     ///< moment of a ReferenceForce about its place, besides the force `value` [force x length]
   bool atReference = false;  ///< NodalForces were made of a ReferenceForce
+  /// NodalForces balance the moments that forces gain by displacements: no load of the scene, in no reaction and no work.
+  bool isCorrection = false;
 
   /// Gives a controlled load a known amount: a force along its axis [force], or a shortening [length].
   void setAmount(double amount);

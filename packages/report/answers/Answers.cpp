@@ -105,6 +105,7 @@ std::vector<ConditionResultant> conditionResultants(const Run& run) {
   };
   for (std::size_t l = 0; l < run.model.loads.size(); ++l) {
     const Load& load = run.model.loads[l];
+    if (load.isCorrection) continue;
     if (load.kind == Load::Kind::NodalForces && load.factor == 0.0) continue;  // forces of removed parts, which have fallen to zero
     ConditionResultant& row =
         rowOf(load.atReference ? load.name + "/Force" : load.name, load.control == Load::Control::MeanDisplacement ? "support" : "load");

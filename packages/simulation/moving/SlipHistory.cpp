@@ -1,6 +1,8 @@
 #include <suture/base/Point.hpp>
 #include <suture/simulation/moving/SlipHistory.hpp>
 
+#include <algorithm>
+
 namespace suture {
 
 namespace {
@@ -38,12 +40,26 @@ void SlipHistory::setPast(ContactPair& pair, const Mesh& mesh, const MovingBodie
   const int d = mesh.dimension;
   const Point beside = apart(pair.ends, [&](int node) { return pointOf(bodies.beside().data() + Eigen::Index(node) * d, d); });
   Point before = apart(pair.ends, [&](int node) { return shape_.point(node); });
-  const Point now = apart(pair.ends, [&](int node) { return mesh.point(node); });
+  Point now = apart(pair.ends, [&](int node) { return mesh.point(node); });
+  const int own = pair.ends.front().node;
+  const auto facing =
+      std::find_if(pair.ends.begin(), pair.ends.end(), [&](const PairEnd& end) { return end.weight * pair.ends.front().weight < 0.0; });
+  const BodyFrame &fromA = before_.frameOf(own), &toA = bodies.frameOf(own);
+  // The motion is seen from the other side, or from an obstacle, which rests.
+  BodyFrame fromB, toB;
+  if (facing != pair.ends.end()) {
+    fromB = before_.frameOf(facing->node), toB = bodies.frameOf(facing->node);
+    before = toB.turn(fromB.turnBack(before));
+  }
+  // Way of the point of side A that faces B now, as if its body were rigid.
+  double weight = 0.0;
+  Point place{0, 0, 0};
   for (const PairEnd& end : pair.ends)
-    if (end.weight * pair.ends.front().weight < 0.0) {  // a node of the other side, from which the motion is seen
-      before = bodies.frameOf(end.node).turn(before_.frameOf(end.node).turnBack(before));
-      break;
-    }
+    if (end.weight * pair.ends.front().weight > 0.0) weight += end.weight, place = plus(place, scaled(end.weight, mesh.point(end.node)));
+  place = scaled(1.0 / weight, place);
+  const Point chord = minus(place, toB.at(fromB.drawnAt(fromA.at(toA.drawnAt(place)))));
+  const Eigen::Quaterniond turn = toA.orientation() * fromA.orientation().conjugate() * fromB.orientation() * toB.orientation().conjugate();
+  now = plus(now, scaled(weight, minus(endOfArc(chord, rotationVector(turn)), chord)));
   const Point slip = tangential(minus(now, before), pair.normal);
   pair.past.slip = minus(tangential(beside, pair.normal), slip);
 }
