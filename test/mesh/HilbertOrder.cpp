@@ -5,6 +5,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -116,6 +117,54 @@ TEUCHOS_UNIT_TEST(HilbertOrder, KeepsElementsGroupsAndSides) {
     numberAlongHilbertCurve(after);
     TEST_EQUALITY(after.hash(), once);
   }
+}
+
+// Points of a grid with spacing `h` along each axis.
+std::vector<Point> gridOf(int nx, int ny, int nz, double h = 0.1) {
+  std::vector<Point> points;
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) points.push_back({h * i, h * j, h * k});
+  return points;
+}
+
+int stepsBetween(const Point& a, const Point& b, double h = 0.1) {
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) sum += std::abs(a[k] - b[k]) / h;
+  return static_cast<int>(std::lround(sum));
+}
+
+// A row of squares (cubes) of 2^n points is traversed without a jump, along whichever axis it lies.
+TEUCHOS_UNIT_TEST(HilbertOrder, OrdersPointsFromNeighbourToNeighbourInLongBoxes) {
+  struct Case {
+    int nx, ny, nz, dimension;
+  };
+  for (const Case c :
+       {Case{16, 16, 1, 2}, {32, 8, 1, 2}, {8, 32, 1, 2}, {50, 1, 1, 2}, {8, 8, 8, 3}, {4, 4, 16, 3}, {8, 32, 8, 3}, {64, 1, 1, 3}}) {
+    const std::vector<Point> points = gridOf(c.nx, c.ny, c.nz);
+    const std::vector<int> order = orderAlongHilbertCurve(points, c.dimension);
+    TEST_EQUALITY(std::set<int>(order.begin(), order.end()).size(), points.size());
+    for (std::size_t k = 1; k < order.size(); ++k) TEST_EQUALITY(stepsBetween(points[order[k - 1]], points[order[k]]), 1);
+  }
+}
+
+TEUCHOS_UNIT_TEST(HilbertOrder, OrdersPointsOfAPlateByItsPlane) {
+  const std::vector<Point> points = gridOf(16, 16, 2);
+  const std::vector<int> order = orderAlongHilbertCurve(points, 3);
+  for (std::size_t k = 0; k < order.size(); k += 2) {
+    TEST_EQUALITY(order[k] + 256, order[k + 1]);  // the upper one of two at the same place of the plane
+    if (k > 0) TEST_EQUALITY(stepsBetween(points[order[k - 2]], points[order[k]]), 1);
+  }
+}
+
+TEUCHOS_UNIT_TEST(HilbertOrder, DoesNotDependOnRoundOffOfPoints) {
+  const std::vector<Point> points = gridOf(9, 17, 1);  // points on the halves of the box
+  std::vector<Point> moved = points;
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    for (int k = 0; k < 2; ++k) moved[i][k] += 1e-13 * (static_cast<int>((7 * i + 3 * k) % 5) - 2);
+  TEST_ASSERT(orderAlongHilbertCurve(points, 2) == orderAlongHilbertCurve(moved, 2));
+  TEST_ASSERT(orderAlongHilbertCurve({}, 3).empty());
+  TEST_ASSERT(orderAlongHilbertCurve({{1, 2, 3}, {1, 2, 3}}, 3) == (std::vector<int>{0, 1}));
 }
 
 // Nodes without elements are left for assignBodies() to report, with their coordinates.
