@@ -166,8 +166,9 @@ std::string Bddc::remark() const {
   text.precision(2);
   const bool exactInstead = coarse_ && coarse_->isExactInstead();
   if (exactInstead) text << "closed pairs of more than two nodes: the coarse problem is solved exactly, without a further level";
+  if (const std::string levels = coarse_ ? coarse_->remark() : std::string(); !levels.empty()) text << (exactInstead ? "; " : "") << levels;
   if (!primal_->isAdaptive()) return text.str();
-  if (exactInstead) text << "; ";
+  if (!text.str().empty()) text << "; ";
   text << "adaptive coarse space: " << entityConstraints_ << " edge constraints ("
        << 100.0 * static_cast<double>(entityConstraints_) / static_cast<double>(sharedUnknowns_) << " % of " << sharedUnknowns_
        << " shared unknowns) and " << coarseSize() - entityConstraints_ << " corner unknowns";

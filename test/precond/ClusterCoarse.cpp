@@ -140,6 +140,16 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, ConditionStaysBoundedForManyElements) {
   }
 }
 
+TEUCHOS_UNIT_TEST(ClusterCoarse, ReportsTooFewChebyshevSteps) {
+  const Cells cells(8);
+  TEST_EQUALITY(Level(cells, 8).solve.remark(), "");
+  const Level level(cells, 8, 1e-200);  // 100 steps reduce an error by .17^100 = 1e-76 for a condition number of 2
+  TEST_EQUALITY(level.solve.steps(), 100);
+  out << level.solve.remark() << "\n";
+  TEST_INEQUALITY(level.solve.remark().find("the 8 clusters have a condition number of"), std::string::npos);
+  TEST_INEQUALITY(level.solve.remark().find("100 Chebyshev steps"), std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(ClusterCoarse, FollowsJumpsThatClustersDoNotKnowOf) {
   const Cells cells(8, board(8, 1e4, false));
   const Level level = alike(cells, 6);

@@ -2,6 +2,8 @@
 #include <precond/CoarseElementsOf.hpp>
 #include <suture/precond/coarse/ClusterGraph.hpp>
 
+#include <set>
+
 using namespace suture;
 using namespace suture::blocks;
 
@@ -13,7 +15,9 @@ ClusterGraph cellsOf(int blocks) {
   const Blocks all(scene, alone());
   const CoarseElements coarse = coarseElementsOf(all, Dense(all));
   ClusterGraph graph;
-  for (const CoarseElement& element : coarse.elements) graph.unknownsOf.push_back(element.unknowns);
+  graph.unknownsOf.resize(coarse.elements.size());
+  const std::vector<int> places = all.placesByName();
+  for (const CoarseElement& element : coarse.elements) graph.unknownsOf[places[element.id]] = element.unknowns;
   graph.unknowns.resize(coarse.size);
   for (const auto& unknown : coarse.unknowns) graph.unknowns[unknown.id] = unknown;
   graph.findHolders();
@@ -94,4 +98,37 @@ TEUCHOS_UNIT_TEST(ClusterGraph, SeparateStretchesBetweenTwoClustersAreTwoEdges) 
   const Interfaces found(graph, middleAndRest);
   TEST_EQUALITY(int(found.edges.size()), 2);
   TEST_EQUALITY(int(found.points.size()), 2 * 4);
+}
+
+TEUCHOS_UNIT_TEST(ClusterGraph, DividesStripsAndLeavesSquaresAlone) {
+  const int n = 16;
+  const ClusterGraph graph = cellsOf(n);
+  const ElementGraph neighbours = fixedNeighbours(graph);
+  std::vector<int> clusterOf, row;  // one square of 8 x 8 cells, the others in one-wide columns: of 16 cells, and of 8
+  for (const std::vector<int>& unknowns : graph.unknownsOf) {
+    Point sum{};
+    for (const int unknown : unknowns)
+      for (int k = 0; k < 2; ++k) sum[k] += n * graph.unknowns[unknown].point[k] / static_cast<double>(unknowns.size());
+    const int x = static_cast<int>(sum[0]), y = static_cast<int>(sum[1]);
+    row.push_back(y);
+    clusterOf.push_back(x < 8 && y < 8 ? 0 : 1 + x);
+  }
+  const std::vector<int> before = clusterOf;
+  const int clusters = divideSlender(graph, neighbours, 17, clusterOf);
+  TEST_EQUALITY(clusters, 9 + 8 * 4);  // 16 : 1 becomes four pieces of 4 : 1; 8 : 1 is not too long
+  std::vector<std::set<int>> from(clusters);
+  std::vector<int> least(clusters, n), most(clusters, -1), size(clusters, 0);
+  for (int cell = 0; cell < n * n; ++cell) {
+    const int c = clusterOf[cell];
+    from[c].insert(before[cell]);
+    least[c] = std::min(least[c], row[cell]);
+    most[c] = std::max(most[c], row[cell]);
+    ++size[c];
+  }
+  for (int c = 0; c < clusters; ++c) {
+    TEST_EQUALITY(from[c].size(), 1u);
+    const int whole = *from[c].begin();
+    TEST_EQUALITY(size[c], whole == 0 ? 64 : whole < 9 ? 8 : most[c] - least[c] + 1);  // pieces of a column are connected
+    if (whole >= 9) TEST_COMPARE(size[c], <=, 6);
+  }
 }

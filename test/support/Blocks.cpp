@@ -1,5 +1,7 @@
 #include <support/Blocks.hpp>
 
+#include <algorithm>
+
 namespace suture::blocks {
 
 Parameters resolved(const std::string& list, const Schema& schema, std::vector<std::string> settings) {
@@ -39,12 +41,22 @@ void Blocks::build(const Scene& scene, const CommPtr& comm, const Parameters& cu
     const Material like = model.materialOfBody.front();
     model.materialOfBody.clear();
     for (double value : youngOf) model.materialOfBody.push_back(like), model.materialOfBody.back().young = value;
-    for (SubdomainMesh& mesh : meshes) mesh.body = mesh.id;
+    const std::vector<int> places = placesByName();
+    for (SubdomainMesh& mesh : meshes) mesh.body = places[mesh.id];
   }
   for (const SubdomainMesh& mesh : meshes) {
     subdomains.push_back(std::make_unique<ElasticSubdomain>(mesh, model));
     subdomains.back()->assemble();
   }
+}
+
+std::vector<int> Blocks::placesByName() const {
+  std::vector<std::string> sorted = partition.names;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<int> places;
+  for (const std::string& name : partition.names)
+    places.push_back(static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), name) - sorted.begin()));
+  return places;
 }
 
 Dense::Dense(const Blocks& all) {

@@ -39,12 +39,15 @@ struct Blocks {
   std::vector<SubdomainMesh> meshes;
   std::vector<std::unique_ptr<Subdomain>> subdomains;
 
-  /// \param youngOf          Young modulus of each subdomain, instead of the body's: a body of several materials
-  /// \param keepGroupsWhole  false: for Contact On The Interface
+  /// \param youngOf          Young modulus of each subdomain, in the order of their names, instead of the body's: a body of several
+  /// materials \param keepGroupsWhole  false: for Contact On The Interface
   Blocks(const Scene& scene, const CommPtr& comm, const std::vector<double>& youngOf = {}, bool keepGroupsWhole = true);
   /// \param subdomains  by METIS; as many as bodies: each body whole
   Blocks(const Scene& scene, const CommPtr& comm, int count, int seed = 1, bool keepGroupsWhole = true);
   Blocks(const Blocks&) = delete;
+
+  /// Place of each subdomain in the order of the names: of square blocks, column by column.
+  std::vector<int> placesByName() const;
 
  private:
   void build(const Scene& scene, const CommPtr& comm, const Parameters& cut, const std::vector<double>& youngOf, bool keepGroupsWhole);

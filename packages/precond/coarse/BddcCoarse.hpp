@@ -27,6 +27,8 @@ class BddcCoarse {
   int sizeHere() const { return static_cast<int>(names_.size()); }
   /// True if rows of several terms rule out a further level that the number of local problems calls for.
   bool isExactInstead() const { return exactInstead_; }
+  /// As CoarseSolve::remark().
+  std::string remark() const { return solver_->remark(); }
   /// True if a solve reproduces a given vector; false if the factorisation accepted a pivot that is only round-off. A coarse problem with
   /// several levels reports this itself. Collective. \param inverses  as given to the constructor
   bool isRegular(const Inverses& inverses) const;

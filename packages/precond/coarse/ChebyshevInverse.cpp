@@ -30,8 +30,9 @@ ChebyshevInverse::ChebyshevInverse(Teuchos::RCP<const InterfaceOperator> matrix,
                                    double accuracy)
     : matrix_(std::move(matrix)), preconditioner_(std::move(preconditioner)), largest_(std::max(1.0, estimateLargest())) {
   const double high = std::max(kMargin * largest_, 1.0 + 1e-3);
-  steps_ = static_cast<int>(std::ceil(std::acosh(1.0 / accuracy) / std::acosh((high + 1.0) / (high - 1.0))));
-  steps_ = std::clamp(steps_, 1, kMostChebyshev);
+  const double needed = std::ceil(std::acosh(1.0 / accuracy) / std::acosh((high + 1.0) / (high - 1.0)));
+  isClamped_ = needed > kMostChebyshev;
+  steps_ = static_cast<int>(std::clamp(needed, 1.0, static_cast<double>(kMostChebyshev)));
 }
 
 /// Largest eigenvalue of the Lanczos matrix of conjugate gradients.

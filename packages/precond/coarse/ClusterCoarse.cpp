@@ -8,10 +8,12 @@
 #include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
+#include <sstream>
 
 namespace suture {
 
-ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseOptions& levels) : size_(coarse.size) {
+ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseOptions& levels)
+    : size_(coarse.size), accuracy_(levels.accuracy) {
   const CoarseClusters clusters = coarseClusters(comm, coarse, locals, levels.clusters);
   count_ = clusters.count;
   coarse.unknowns = std::vector<InterfaceLayout::Unknown>();
@@ -44,8 +46,20 @@ ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int loc
   bddc->initialize(space_);
   bddc->compute(matrix);
   inverse_ = std::make_unique<ChebyshevInverse>(matrix, bddc, levels.accuracy);
+  further_ = bddc->remark();
   right_ = space_->vector();
   left_ = space_->vector();
+}
+
+std::string ClusterCoarse::remark() const {
+  if (!inverse_ || !inverse_->isClamped()) return further_;
+  std::ostringstream text;
+  text.precision(2);
+  text << "coarse problem: the " << count_ << " clusters have a condition number of " << inverse_->largest() << ", so that "
+       << inverse_->steps() << " Chebyshev steps do not reach Coarse Accuracy " << accuracy_
+       << "; expect more iterations. A larger Coarse Level Above factors the coarse problem instead";
+  if (!further_.empty()) text << "; " << further_;
+  return text.str();
 }
 
 const Vector& ClusterCoarse::solve(const Vector& mine) const {

@@ -25,6 +25,7 @@ class ClusterCoarse : public CoarseSolve {
   int size() const override { return size_; }
   const Vector& solve(const Vector& mine) const override;
   int clusters() const override { return count_; }
+  std::string remark() const override;
   /// Chebyshev steps per application; 0 for a single cluster.
   int steps() const { return inverse_ ? inverse_->steps() : 0; }
   /// Largest eigenvalue of the clusters' preconditioned operator; 1 for a single cluster.
@@ -32,6 +33,8 @@ class ClusterCoarse : public CoarseSolve {
 
  private:
   int size_, count_ = 0;
+  double accuracy_;
+  std::string further_;  // remark of the next level
   std::vector<std::shared_ptr<const ClusterProblem>> problems_;
   std::vector<std::vector<int>> interiors_;  // inner unknowns of each cluster, as places in the arguments of solve()
   std::vector<int> boundary_;                // unknowns of the space's overlap, also as such places

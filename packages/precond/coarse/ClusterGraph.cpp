@@ -1,5 +1,6 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/RigidValues.hpp>
+#include <suture/partition/cut/MetisCut.hpp>
 #include <suture/precond/coarse/ClusterGraph.hpp>
 
 #include <algorithm>
@@ -28,6 +29,27 @@ bool fixesMotion(const ClusterGraph& graph, const std::vector<int>& shared) {
   motions.rightCols(count - d) /= size;
   const Vector values = symmetricEigenpairs(motions.transpose() * motions).values;
   return values(0) > least * values(count - 1);
+}
+
+/// Length over width of a bar, in 3D over the larger width, with the same second moments as these local problems.
+double slenderness(const ClusterGraph& graph, const std::vector<int>& locals) {
+  constexpr double kOfCorners = 1.0 / 3.0;  // second moment of a rectangle over that of its corners
+  const int d = graph.dimension;
+  Matrix centres(d, static_cast<int>(locals.size())), moments = Matrix::Zero(d, d);
+  for (std::size_t k = 0; k < locals.size(); ++k) {
+    const std::vector<int>& unknowns = graph.unknownsOf[locals[k]];
+    const auto count = static_cast<int>(unknowns.size());
+    Matrix points(d, count);
+    for (int i = 0; i < count; ++i) points.col(i) = Eigen::Map<const Vector>(graph.unknowns[unknowns[i]].point.data(), d);
+    const Vector centre = count > 0 ? Vector(points.rowwise().mean()) : Vector(Vector::Zero(d));
+    centres.col(static_cast<int>(k)) = centre;
+    points.colwise() -= centre;
+    if (count > 0) moments += kOfCorners / count * points * points.transpose();
+  }
+  centres.colwise() -= Vector(centres.rowwise().mean());
+  moments += centres * centres.transpose();
+  const Vector values = symmetricEigenpairs(moments).values;
+  return values(d - 2) > 0.0 ? std::sqrt(values(d - 1) / values(d - 2)) : 1.0;  // local problems on a line have no width
 }
 
 double squareDistance(const Point& a, const Point& b) {
@@ -77,6 +99,29 @@ ElementGraph fixedNeighbours(const ClusterGraph& graph) {
     result.offsets.push_back(static_cast<int>(result.neighbours.size()));
   }
   return result;
+}
+
+int divideSlender(const ClusterGraph& graph, const ElementGraph& neighbours, int clusters, std::vector<int>& clusterOf) {
+  constexpr double kSlender = 8.0 * (1 + 1e-6), kPiece = 4.0;  // length over width: to divide a cluster (8 : 1 is not), and of a piece
+  constexpr int kSeed = 1;
+  std::vector<std::vector<int>> members(clusters);
+  for (std::size_t i = 0; i < clusterOf.size(); ++i) members[clusterOf[i]].push_back(static_cast<int>(i));
+  std::vector<int> parts(clusters, 1);
+  bool any = false;
+  for (int c = 0; c < clusters; ++c)
+    if (const double length = slenderness(graph, members[c]); length > kSlender) {
+      parts[c] = std::min(static_cast<int>(members[c].size()), static_cast<int>(std::lround(length / kPiece)));
+      any = any || parts[c] > 1;
+    }
+  if (!any) return clusters;
+  const std::vector<ElementGraph> graphs = subgraphs(neighbours, clusterOf, clusters);
+  int next = 0;
+  for (int c = 0; c < clusters; ++c) {
+    const std::vector<int> part = metisCut(graphs[c], parts[c], kSeed);
+    for (std::size_t k = 0; k < members[c].size(); ++k) clusterOf[members[c][k]] = next + part[k];
+    next += parts[c];
+  }
+  return next;
 }
 
 std::vector<InterfaceLayout::Entity> clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf) {

@@ -21,6 +21,11 @@ struct ClusterGraph {
 /// Graph of local problems; two are neighbours if the unknowns they share determine all rigid motions. Local.
 ElementGraph fixedNeighbours(const ClusterGraph& graph);
 
+/// Divides clusters that are more than eight times as long as wide (in 3D as the wider of both widths) into pieces four times as long as
+/// wide: the condition number of BDDC on adjacent strips grows with the fourth power of length over width. Pieces are connected if the
+/// cluster is. Local. \param neighbours  of the local problems \param clusterOf  changed: numbers below the result  \return clusters
+int divideSlender(const ClusterGraph& graph, const ElementGraph& neighbours, int clusters, std::vector<int>& clusterOf);
+
 /// Vertices and edges between clusters, in the coarse unknowns of the graph. Unknowns of two clusters are connected if two local problems,
 /// one in each cluster, share both of them. The ends of an edge are its unknowns at the two points that are farthest apart, including the
 /// vertices that bound it. \param clusterOf  cluster of each local problem. Local.

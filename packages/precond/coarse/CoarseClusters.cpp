@@ -129,7 +129,9 @@ CoarseClusters coarseClusters(const CommPtr& comm, const CoarseElements& coarse,
   int count = 0, upToOwn = 0;
   collectively(*comm, "gathering local problems into clusters", [&] {
     graph = ownGraph(coarse, names, std::move(unknowns));
-    result.clusterOf = cut(fixedNeighbours(graph), share, count);
+    const ElementGraph neighbours = fixedNeighbours(graph);
+    result.clusterOf = cut(neighbours, share, count);
+    count = divideSlender(graph, neighbours, count, result.clusterOf);
   });
   Teuchos::scan(*comm, Teuchos::REDUCE_SUM, count, Teuchos::outArg(upToOwn));
   Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, count, Teuchos::outArg(result.count));

@@ -1,6 +1,8 @@
 #pragma once
 #include <suture/base/Types.hpp>
 
+#include <string>
+
 namespace suture {
 
 /// Coarse solver of a preconditioner: a fixed symmetric positive definite linear operator, the exact or approximate inverse of the coarse
@@ -15,6 +17,8 @@ class CoarseSolve {
   virtual const Vector& solve(const Vector& mine) const = 0;
   /// Number of local problems on the next level; 0 if the coarse problem is solved exactly.
   virtual int clusters() const { return 0; }
+  /// A sentence for the user if a level is less accurate than requested, otherwise "". The same on all ranks.
+  virtual std::string remark() const { return std::string(); }
 };
 
 }  // namespace suture
