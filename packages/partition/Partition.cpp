@@ -12,6 +12,7 @@
 #include <suture/partition/cut/ContactGroups.hpp>
 #include <suture/partition/cut/Costs.hpp>
 #include <suture/partition/cut/Cut.hpp>
+#include <suture/partition/cut/Numbering.hpp>
 #include <suture/partition/cut/Placement.hpp>
 
 namespace suture {
@@ -26,12 +27,13 @@ Schema partitionSchema() {
 
 namespace {
 
-// Units of placement: a whole group if its subdomains must stay together, otherwise each subdomain.
+// Runs of consecutive subdomains. If groups must stay together, the units of placement are whole groups and single subdomains.
 std::vector<int> placeSubdomains(const Partition& cut, bool keepGroupsWhole, int ranks) {
+  if (!keepGroupsWhole || cut.groups.empty()) return placeInRuns(cut.costOf, ranks);
   std::vector<int> unitOf(cut.subdomains(), -1), unitOfGroup(cut.groups.size(), -1);
   std::vector<long long> weights;
   for (int s = 0; s < cut.subdomains(); ++s) {
-    const int group = keepGroupsWhole ? cut.groupOf[s] : -1;
+    const int group = cut.groupOf[s];
     int unit = group >= 0 ? unitOfGroup[group] : -1;
     if (unit < 0) {
       unit = static_cast<int>(weights.size());
@@ -115,6 +117,7 @@ Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& c
   } else {
     collectivelyOnRoot(comm, "partition", [&] { cut = cutByNamedGroups(mesh, partition.sublist(type)); });
     shareSubdomains(comm, mesh, cut.subdomainOfElement, *share);
+    numberSubdomainsAlongCurve(comm, mesh, *share, cut);
   }
   const NodeSubdomains contactHolders = gatherHolders(comm, mesh, *share, nodesInContact(constraints));
   std::vector<long long> costs = expectedCosts(comm, mesh, *share, static_cast<int>(cut.names.size()), contactHolders);

@@ -34,8 +34,9 @@ Schema partitionSchema();
 
 /// Cuts the mesh: METIS, each body separately, in proportion to its elements (at least one subdomain per body), connected through sides,
 /// fixed seed; or the element groups that match a pattern, each inside one body. Then finds contact groups (all subdomains that touch a
-/// piece; pieces that share a subdomain make one group) and places subdomains on ranks (groups whole, balanced by expected cost). The
-/// result is the same for the same mesh on any number of ranks, except rankOf. Collective.
+/// piece; pieces that share a subdomain make one group) and places subdomains on ranks (groups whole, balanced by expected cost).
+/// Subdomains are numbered along a space-filling curve; unless groups are kept whole, each rank has consecutive numbers. The result is the
+/// same for the same mesh on any number of ranks, except rankOf. Collective.
 ///
 /// \param partition        the scene's list `Partition`. With METIS/Subdomains = Automatic the number may depend on the number of ranks.
 /// \param keepGroupsWhole  false for the formulation Contact On The Interface, which does not need a group on one rank; groups are still

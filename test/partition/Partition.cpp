@@ -82,7 +82,8 @@ TEUCHOS_UNIT_TEST(Partition, ExpectsCostsByNodesAndInterfaceNodes) {
 TEUCHOS_UNIT_TEST(Partition, GivesATinyBodyItsSubdomain) {
   const Mesh grid = mesh({box("small", 0, 1, 0, 1, 1, 1), box("large", 0, 3, 2, 3, 40, 40)});
   const Partition all = makePartition(*comm(), grid, Constraints(), metis(5).list());
-  TEST_EQUALITY(all.elementsOf[0], 2);
+  TEST_EQUALITY(std::count(all.bodyOf.begin(), all.bodyOf.end(), 0), 1);
+  TEST_EQUALITY(all.elementsOf[std::find(all.bodyOf.begin(), all.bodyOf.end(), 0) - all.bodyOf.begin()], 2);
   TEST_EQUALITY(std::count(all.bodyOf.begin(), all.bodyOf.end(), 1), 4);
   TEST_EQUALITY(all.bodiesAreConnected, onRoot());  // no other rank has the bodies
 }
@@ -169,6 +170,114 @@ TEUCHOS_UNIT_TEST(Partition, PlacesGroupsWhole) {
   TEST_ASSERT(spread.groups == whole.groups);
 }
 
+namespace {
+
+// Subdomains with a common node, and with a common side if `bySides`.
+std::vector<std::set<int>> neighboursOf(const Mesh& mesh, const std::vector<int>& subdomainOfElement, int subdomains, bool bySides) {
+  std::vector<std::set<int>> neighbours(subdomains), elementsOf(mesh.nodes());
+  for (int e = 0; e < mesh.elements(); ++e)
+    for (const int node : mesh.nodesOf(e)) elementsOf[node].insert(e);
+  for (int e = 0; e < mesh.elements(); ++e) {
+    std::map<int, int> common;  // element -> nodes in common with e
+    for (const int node : mesh.nodesOf(e))
+      for (const int other : elementsOf[node]) ++common[other];
+    for (const auto& [other, nodes] : common)
+      if (subdomainOfElement[other] != subdomainOfElement[e] && nodes >= (bySides ? 2 : 1))
+        neighbours[subdomainOfElement[e]].insert(subdomainOfElement[other]);
+  }
+  return neighbours;
+}
+
+// Connected parts of the subdomains of a rank.
+int partsOf(int rank, const std::vector<int>& rankOf, const std::vector<std::set<int>>& neighbours) {
+  std::vector<char> seen(rankOf.size(), 0);
+  int parts = 0;
+  for (std::size_t first = 0; first < rankOf.size(); ++first) {
+    if (rankOf[first] != rank || seen[first]) continue;
+    ++parts;
+    std::vector<int> open{static_cast<int>(first)};
+    seen[first] = 1;
+    while (!open.empty()) {
+      const int s = open.back();
+      open.pop_back();
+      for (const int other : neighbours[s])
+        if (rankOf[other] == rank && !seen[other]) {
+          seen[other] = 1;
+          open.push_back(other);
+        }
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+// Of the issue "outgrow one machine": subdomains in alphabetical order gave each rank one-wide strips, and METIS' subdomains were
+// scattered.
+TEUCHOS_UNIT_TEST(Partition, PlacesConnectedRunsWithFewNeighbours) {
+  struct Case {
+    std::string name;
+    Mesh grid;
+    PartitionParameters own;
+    double parts;  // connected parts per rank, on average at most
+  };
+  const auto ring = [](double x, double y) { return (x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) > 0.09; };
+  const std::vector<Case> cases{
+      {"blocks", mesh({box("a", 0, 1, 0, 1, 32, 32, 16, 16)}), named("subdomain_*"), 1.0},
+      {"long blocks", mesh({box("a", 0, 4, 0, 1, 48, 12, 24, 6)}), named("subdomain_*"), 1.0},
+      {"METIS", mesh({box("a", 0, 1, 0, 1, 64, 64)}), metis(160), 1.2},
+      {"METIS, long", mesh({box("a", 0, 3, 0, 1, 96, 32)}), metis(160), 1.2},
+      {"METIS, a hole", kept(mesh({box("a", 0, 1, 0, 1, 64, 64)}), ring), metis(160), 1.35},
+  };
+  for (const Case& c : cases) {
+    Partition all = makePartition(*comm(), c.grid, Constraints(), c.own.list(), false);
+    TEST_ASSERT(std::is_sorted(all.rankOf.begin(), all.rankOf.end()));
+    if (!onRoot()) continue;
+    const auto bySides = neighboursOf(c.grid, all.subdomainOfElement, all.subdomains(), true);
+    const auto byNodes = neighboursOf(c.grid, all.subdomainOfElement, all.subdomains(), false);
+    for (const int ranks : {2, 3, 4, 6, 8, 12, 16}) {
+      placeOnRanks(all, false, ranks);
+      TEST_ASSERT(std::is_sorted(all.rankOf.begin(), all.rankOf.end()));
+      std::vector<long long> load(ranks, 0);
+      std::vector<std::set<int>> others(ranks);
+      long long total = 0;
+      int parts = 0;
+      for (int s = 0; s < all.subdomains(); ++s) {
+        load[all.rankOf[s]] += all.costOf[s];
+        total += all.costOf[s];
+        for (const int other : byNodes[s])
+          if (all.rankOf[other] != all.rankOf[s]) others[all.rankOf[s]].insert(all.rankOf[other]);
+      }
+      std::size_t most = 0;
+      for (int rank = 0; rank < ranks; ++rank) {
+        parts += partsOf(rank, all.rankOf, bySides);
+        most = std::max(most, others[rank].size());
+      }
+      out << c.name << " on " << ranks << ": " << parts << " parts, at most " << most << " neighbours, largest load "
+          << static_cast<double>(*std::max_element(load.begin(), load.end())) * ranks / static_cast<double>(total) << " of the mean\n";
+      TEST_COMPARE(static_cast<double>(*std::max_element(load.begin(), load.end())), <, 1.1 * static_cast<double>(total) / ranks);
+      TEST_COMPARE(parts, <=, c.parts * ranks);
+      TEST_COMPARE(most, <=, 8u);
+    }
+  }
+}
+
+// The curve does not depend on the ranks: neither do numbers and names.
+TEUCHOS_UNIT_TEST(Partition, NumbersSubdomainsTheSameOnAnyNumberOfRanks) {
+  const Mesh grid = mesh(stack(2));
+  for (const PartitionParameters& own : {named("subdomain_*"), metis(11)}) {
+    const Partition all = makePartition(*comm(), grid, contacts(grid), own.list(), false);
+    const auto alone = comm()->split(onRoot() ? 0 : -1, 0);
+    if (!onRoot()) continue;
+    const Partition expected = makePartition(*alone, grid, contacts(grid), own.list(), false);
+    TEST_ASSERT(all.names == expected.names);
+    TEST_ASSERT(all.bodyOf == expected.bodyOf);
+    TEST_ASSERT(all.costOf == expected.costOf);
+    TEST_ASSERT(all.subdomainOfElement == expected.subdomainOfElement);
+    for (int e = 0; e < grid.elements(); ++e) TEST_EQUALITY(all.bodyOf[all.subdomainOfElement[e]], grid.bodyOfElement[e]);
+  }
+}
+
 TEUCHOS_UNIT_TEST(Partition, ChoosesANumberByItself) {
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 40, 40)});  // 3200 elements
   const Partition all = makePartition(*comm(), grid, Constraints(), parameters({"Type=METIS"}).list());
@@ -250,7 +359,11 @@ TEUCHOS_UNIT_TEST(Partition, CutsALargeBodyTheSameOnAnyNumberOfRanks) {
   const Partition expected = makePartition(*alone, grid, Constraints(), metis(30).list());
   TEST_ASSERT(all.subdomainOfElement == expected.subdomainOfElement);
   TEST_ASSERT(all.names == expected.names);
-  const auto [least, most] = std::minmax_element(all.elementsOf.begin() + 0, all.elementsOf.begin() + 29);
+  std::vector<int> sizes;  // of the large body's subdomains
+  for (int s = 0; s < all.subdomains(); ++s)
+    if (all.bodyOf[s] == 0) sizes.push_back(all.elementsOf[s]);
+  TEST_EQUALITY(sizes.size(), 29u);
+  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
   TEST_COMPARE(*most, <, 1.15 * *least);
   for (const int s : {0, 7, 14, 15, 28}) TEST_EQUALITY(connectedParts(grid, all.subdomainOfElement, s), 1);
 }

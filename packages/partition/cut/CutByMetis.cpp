@@ -15,6 +15,7 @@
 #include <suture/partition/cut/CutBlocks.hpp>
 #include <suture/partition/cut/ElementGraph.hpp>
 #include <suture/partition/cut/Hinges.hpp>
+#include <suture/partition/cut/Numbering.hpp>
 
 namespace suture {
 
@@ -107,20 +108,18 @@ std::vector<Block> makeBlocks(const std::vector<PartSize>& parts, const std::vec
   std::vector<int> sizes;
   for (const PartSize& part : parts) sizes.push_back(part.elements);
   const std::vector<int> subdomains = apportion(sizes, wanted);
-  std::vector<int> partsOfRank(ranks, 0), numberInBody(bodies.size(), 0);
+  std::vector<int> partsOfRank(ranks, 0);
   std::vector<Block> blocks;
   std::vector<int> elements;  // approximate number of elements of each block
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const int body = parts[i].body, part = partsOfRank[parts[i].rank]++;
     for (const int own : subdomainsOfBlocks(sizes[i], subdomains[i])) {
-      blocks.push_back({parts[i].rank, part, static_cast<int>(cut.names.size()), own, 0});
+      blocks.push_back({parts[i].rank, part, static_cast<int>(cut.bodyOf.size()), own, 0});
       elements.push_back(static_cast<int>((long long)sizes[i] * own / subdomains[i]));
-      for (int k = 0; k < own; ++k) {
-        cut.bodyOf.push_back(body);
-        cut.names.push_back(bodies[body] + " " + std::to_string(++numberInBody[body]));
-      }
+      cut.bodyOf.insert(cut.bodyOf.end(), own, body);
     }
   }
+  cut.names = numberedNames(bodies, cut.bodyOf);
   placeBlocks(elements, ranks, blocks);
   return blocks;
 }
@@ -182,6 +181,8 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshSh
   packer.put(repairs);
   std::map<int, int> all;
   for (const std::string& of : gatherOnRoot(comm, packer.bytes())) all.merge(Unpacker(of).get<std::map<int, int>>());
+  numberSubdomainsAlongCurve(comm, mesh, share, cut);
+  if (comm.getRank() == 0) cut.names = numberedNames(share.bodies, cut.bodyOf);
   for (const auto& [body, count] : all) cut.notes.push_back(repaired(share.bodies[body], count));
   return cut;
 }

@@ -48,7 +48,55 @@ long long largestLoad(const std::vector<long long>& weights, const std::vector<i
   return *std::max_element(load.begin(), load.end());
 }
 
+// First unit after the run that begins at each unit and does not exceed the limit; `limit` is at least the largest weight.
+std::vector<int> endsOfRuns(const std::vector<long long>& weights, long long limit) {
+  std::vector<int> ends(weights.size());
+  long long load = 0;
+  for (int begin = 0, end = 0; begin < static_cast<int>(weights.size()); load -= weights[begin++]) {
+    while (end < static_cast<int>(weights.size()) && load + weights[end] <= limit) load += weights[end++];
+    ends[begin] = end;
+  }
+  return ends;
+}
+
+// Runs needed for the units from each one on; 0 after the last.
+std::vector<int> runsNeeded(const std::vector<long long>& weights, long long limit) {
+  const std::vector<int> ends = endsOfRuns(weights, limit);
+  std::vector<int> needed(weights.size() + 1, 0);
+  for (std::size_t i = weights.size(); i-- > 0;) needed[i] = needed[ends[i]] + 1;
+  return needed;
+}
+
 }  // namespace
+
+std::vector<int> placeInRuns(const std::vector<long long>& weights, int ranks) {
+  if (weights.empty()) return {};
+  const int units = static_cast<int>(weights.size());
+  long long total = std::accumulate(weights.begin(), weights.end(), 0LL), tooSmall = -1,
+            limit = std::max(*std::max_element(weights.begin(), weights.end()), total);
+  tooSmall = std::max(*std::max_element(weights.begin(), weights.end()), (total + ranks - 1) / ranks) - 1;
+  while (limit - tooSmall > 1) {
+    const long long middle = tooSmall + (limit - tooSmall) / 2;
+    (runsNeeded(weights, middle)[0] <= ranks ? limit : tooSmall) = middle;
+  }
+  const std::vector<int> needed = runsNeeded(weights, limit);
+  std::vector<int> rankOf(weights.size());
+  int rank = 0, first = 0;  // first unit of this rank
+  long long load = 0;       // of this rank; `total`: of this rank and the units that are not placed
+  for (int unit = 0; unit < units; ++unit) {
+    const int left = ranks - rank;  // with this rank
+    const bool isEnough = 2 * static_cast<double>(load) + static_cast<double>(weights[unit]) > 2.0 * static_cast<double>(total) / left;
+    if (unit > first && (load + weights[unit] > limit || units - unit < left || (isEnough && needed[unit] < left))) {
+      ++rank;
+      first = unit;
+      total -= load;
+      load = 0;
+    }
+    load += weights[unit];
+    rankOf[unit] = rank;
+  }
+  return rankOf;
+}
 
 std::vector<int> placeOnRanks(const std::vector<long long>& weights, int ranks) {
   constexpr double worthIt = 1.01;  // the weights are estimates and no more accurate than this
