@@ -48,4 +48,6 @@ const char* launchedRank() {
   return nullptr;
 }
 
+bool launchedByMpi() { return std::getenv("OMPI_COMM_WORLD_RANK") || std::getenv("PMIX_RANK") || std::getenv("PMI_RANK"); }
+
 }  // namespace suture

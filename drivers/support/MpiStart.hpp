@@ -28,4 +28,8 @@ class MpiStart {
 /// Rank assigned by a launcher (mpirun, srun), available before MPI starts; null without a launcher.
 const char* launchedRank();
 
+/// True if an MPI launcher started this process. Unlike launchedRank(), not for the script of a Slurm job, which has a rank but may call
+/// mpirun.
+bool launchedByMpi();
+
 }  // namespace suture

@@ -5,6 +5,8 @@
 #include <suture/base/Collective.hpp>
 
 #include "CommandLine.hpp"
+#include "OwnLauncher.hpp"
+#include "Program.hpp"
 #include "Watch.hpp"
 
 namespace suture {
@@ -13,6 +15,7 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
   commandLine.assign(argv, argv + argc);
   std::string output, watched;
   bool noDrawing = false;
+  int ranks = 0;
   const auto describe = [&](CLI::App& app) {
     CLI::Option* file = app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->type_name("FILE");
     CLI::Option* set = addSetOption(app, overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"");
@@ -39,6 +42,10 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
                                          "Repeat the run recorded in a summary.json, instead of SCENE, and compare the results; default of "
                                          "--output: the folder of that run with '_again'")
                               ->type_name("FILE");
+    app.add_option("--ranks", ranks,
+                   "Use N ranks on this machine: the program starts itself under mpirun; on several machines use mpirun or srun")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000));
     CLI::Option* live = app.add_option("--watch", watched,
                                        "Show the iterations of the run that writes into a folder, instead of solving; ends with that run")
                             ->type_name("DIR");
@@ -61,6 +68,14 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
       parseCommandLine(argc, argv, "suture_solve",
                        "Solves a scene: equilibrium of elastic bodies in unilateral contact, by domain decomposition.", describe);
   if (!end && !watched.empty()) return watch(watched);
+  if (!end && ranks > 0) {
+    try {
+      startOwnRanks(ranks, argc, argv);
+    } catch (const Error&) {  // runProgram prints it, once for all ranks of an mpirun
+      return runProgram("suture_solve", "",
+                        [&, error = std::current_exception()](const CommPtr&) -> ExitCode { std::rethrow_exception(error); });
+    }
+  }
   drawing = !noDrawing;
   if (!output.empty()) overrides.push_back("Output/Folder=" + output);
   return end;
