@@ -51,6 +51,10 @@ for angle in (0.0, 0.3, 1.0, 3.0, 100.0):
     code, _, _, rows, frames = solve(f"turned_{angle}", TURNED, *words, *setting("Outer Solver/Tolerance", "1e-10"))
     x, y = force(rows[-1])
     own = [x * math.cos(angle) + y * math.sin(angle), -x * math.sin(angle) + y * math.cos(angle)]
+    if first and angle == 0.3:  # a turn of the whole scene does no work
+        check("plate: work of the turned plate", float(rows[-1]["external_work"]) / still - 1, lambda part: abs(part) < 0.02)
+    if not first:
+        still = float(rows[-1]["external_work"])
     first = first or own
     check(f"turned by {angle}: the path is solved", code, 0)
     check(f"turned by {angle}: forces turn along", max(abs(a - b) for a, b in zip(own, first)) / abs(first[1]), lambda part: part < 1e-9)
