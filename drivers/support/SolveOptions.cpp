@@ -45,7 +45,7 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
     app.add_option("--ranks", ranks,
                    "Use N ranks on this machine: the program starts itself under mpirun; on several machines use mpirun or srun")
         ->type_name("N")
-        ->check(CLI::Range(1, 1000000));
+        ->check(CLI::Range(1, 1000000).description(""));
     CLI::Option* live = app.add_option("--watch", watched,
                                        "Show the iterations of the run that writes into a folder, instead of solving; ends with that run")
                             ->type_name("DIR");

@@ -41,8 +41,9 @@ void forEachSafety(Safety& one, const Each& each) {
   for (auto& s : one.stress) each(s);
 }
 
-/// Rigid groups of all steps as a text.
+/// Rigid groups of all steps as a text; empty: there are none.
 std::string groupsText(const std::vector<StepRow>& rows) {
+  if (std::all_of(rows.begin(), rows.end(), [](const StepRow& row) { return row.groups.empty(); })) return "";
   nlohmann::json all = nlohmann::json::array();
   for (const StepRow& row : rows) {
     nlohmann::json& own = all.emplace_back(nlohmann::json::array());
@@ -110,7 +111,8 @@ void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
   }
   file.write(at("Steps"), rows, static_cast<int>(kStep));
   file.write(at("StepForces"), forces, 3);
-  file.write(at("StepGroups"), broadcast(comm, comm.getRank() == 0 ? groupsText(steps.rows) : std::string()));
+  const std::string groups = broadcast(comm, comm.getRank() == 0 ? groupsText(steps.rows) : std::string());
+  if (!groups.empty()) file.write(at("StepGroups"), groups);
   file.write(at("NextStep"), comm.getRank() == 0 ? std::vector<double>{steps.length} : std::vector<double>());
   file.write(at("PathPairs"), pairs, static_cast<int>(kPathPair));
   std::vector<double> carried;

@@ -22,7 +22,7 @@ class StepSolver {
   /// Adds checks that only this solver can make to the verdict on its last solution. Collective.
   virtual void verify(Solution& solution) const { (void)solution; }
   /// True if the last solution moved so far that a shorter step is more accurate. Collective.
-  virtual bool isTooLong(const Solution& solution) { return (void)solution, false; }
+  virtual bool isTooLong(const Solution& solution) const { return (void)solution, false; }
   /// Places of the bodies at the last solution, on rank 0; empty if they do not move far.
   virtual std::vector<StepRow::Frame> frames() const { return {}; }
   /// Makes a solution the state from which the next step starts. Collective.

@@ -14,6 +14,7 @@
 #include <Tpetra_Operator.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace suture {
 
@@ -21,6 +22,8 @@ namespace {
 
 // Ritz values are above the smallest eigenvalue, but the error bound needs a value below it.
 constexpr double kBelowRitz = 0.98;
+// Reduction of the residual below which its recurrence goes on, down to underflow, but the solution does not change any more.
+constexpr double kLeastReduction = std::numeric_limits<double>::epsilon();
 
 /// A number below the smallest eigenvalue of M^-1 S; 0: unknown. After few iterations the Ritz values are far above that eigenvalue, hence
 /// also that of earlier solves and that of theory. \param known, theory  0: unknown
@@ -179,7 +182,8 @@ InnerResult InnerSolver::iterate(MultiVector& x, double tolerance, double refere
     x.update(1.0, *solve_->x, -1.0, start, 0.0);
     return x;
   };
-  const PreconditionedNormTest::Aim aim{tolerance, reference, before + most_, monitor, energy, added};
+  const double least = kLeastReduction * solve_->norm / reference;
+  const PreconditionedNormTest::Aim aim{std::max(tolerance, least), reference, before + most_, monitor, energy, added};
   test.aimAt(aim);
   const double begin = Timers::now();
   try {

@@ -37,7 +37,8 @@ for ranks in (1, 2, 4):
     first = first or accuracy
     check("the same meshes", [level["unknowns"] for level in accuracy["levels"]], [level["unknowns"] for level in first["levels"]])
     for mine, its in zip(accuracy["levels"], first["levels"]):
-        check("the same errors", abs(mine["error"] / its["error"] - 1), lambda part: part < 1e-6)
+        # With an automatic tolerance, iterates differ by the round-off of preconditioners in single precision.
+        check("the same errors", abs(mine["error"] / its["error"] - 1), lambda part: part < 1e-5)
         check("the same straight sides", abs(mine["geometry"] / its["geometry"] - 1), lambda part: part < 1e-4)
 levels = first["levels"]
 check("levels", len(levels), lambda count: 3 <= count <= 5)

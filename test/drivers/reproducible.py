@@ -12,6 +12,7 @@ import pathlib
 import sys
 
 import h5py
+import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import harness
@@ -54,7 +55,7 @@ def checkpointDiffers(a, b):
                 isSteps = name.endswith("/Steps")
                 found[name] = [(key, str(value)) for key, value in node.attrs.items() if not isSteps]
                 if isinstance(node, h5py.Dataset):
-                    found[name].append((node[:, :-1] if isSteps else node[()]).tobytes())
+                    found[name].append(np.asarray(node[:, :-1] if isSteps else node[()]).tobytes())
             file.visititems(take)
         return found
     return content(a) != content(b)

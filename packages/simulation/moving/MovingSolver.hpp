@@ -32,7 +32,7 @@ class MovingSolver : public StepSolver {
   /// `places`: contact pairs, searched again between the shapes of the solution. A closed pair is as far apart, and an open or new one
   /// penetrates, by at most this part of the largest displacement beside the frames.
   void verify(Solution& solution) const override;
-  bool isTooLong(const Solution& solution) override;
+  bool isTooLong(const Solution& solution) const override;
   bool keepsPairs() const override { return false; }
   const Method& method() const override { return *method_; }
   std::unique_ptr<Method> takeMethod() override { return std::move(method_); }
@@ -66,7 +66,6 @@ class MovingSolver : public StepSolver {
   SlipHistory history_;                                   // likewise, of the accepted step
   State accepted_, now_;
   std::vector<MovingBodies::Motion> lastMotions_;  // likewise, by part: motions in the accepted step
-  int rejected_ = 0;                               // pairs that closed in the last step that was too long; on rank 0
   double extent_ = 0.0;                            // largest coordinate [length]
   std::vector<int> partOfSubdomain_;               // part of each subdomain of the scene; the same on all ranks
   /// By part: moments that its forces have at the present places in addition to those at the placed ones; after the accepted step.

@@ -59,7 +59,9 @@ void SlipHistory::setPast(ContactPair& pair, const Mesh& mesh, const MovingBodie
   place = scaled(1.0 / weight, place);
   const Point chord = minus(place, toB.at(fromB.drawnAt(fromA.at(toA.drawnAt(place)))));
   const Eigen::Quaterniond turn = toA.orientation() * fromA.orientation().conjugate() * fromB.orientation() * toB.orientation().conjugate();
-  now = plus(now, scaled(weight, minus(endOfArc(chord, rotationVector(turn)), chord)));
+  // A rotation about the normal turns the direction of sliding; one about a tangent is rolling.
+  const Point spin = scaled(dot(rotationVector(turn), pair.normal), pair.normal);
+  now = plus(now, scaled(weight, minus(endOfArc(chord, spin), chord)));
   const Point slip = tangential(minus(now, before), pair.normal);
   pair.past.slip = minus(tangential(beside, pair.normal), slip);
 }

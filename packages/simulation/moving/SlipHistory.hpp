@@ -11,8 +11,8 @@ namespace suture {
 
 /// Friction histories of bodies that move far. Partners change from step to step, so that histories belong to the nodes that carry pairs.
 /// The slip of a step is the tangential motion, since the end of the last step, of the two points that face each other now, seen from side
-/// B: it depends on the shapes at both ends only, not on the iterations between. Where bodies turn against each other, it has the direction
-/// of sliding at the end of the step (endOfArc()), in which friction acts there. Local (rank 0).
+/// B: it depends on the shapes at both ends only, not on the iterations between. Where bodies turn against each other about
+/// the normal, it has the direction of sliding at the end of the step (endOfArc()), in which friction acts there. Local (rank 0).
 class SlipHistory {
  public:
   /// Begins a step. \param bodies  at its beginning \param mesh  in its shape then
