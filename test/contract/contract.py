@@ -11,7 +11,7 @@ import re
 import jsonschema
 
 SCHEMAS = pathlib.Path(__file__).resolve().parents[2] / "doc" / "schema"
-TABLES = ("history", "steps", "contact", "reactions", "probe", "comparison")
+TABLES = ("history", "rigid_groups", "steps", "contact", "reactions", "frames", "probe", "comparison")
 
 
 def schema(name):
