@@ -84,7 +84,7 @@ void renumber(const std::vector<int>& newOf, std::size_t width, std::vector<T>& 
 struct CubeRow {
   std::array<int, 3> axes{0, 1, 2};  // longest extent first
   Point low{};
-  std::array<double, 3> sides{};  // of a cube, in the order of `axes`
+  std::array<double, 3> sides{};  // edges of a cube, in the order of `axes`
   int cubes = 1, directions;      // cubes in the row; axes that a cube has
 
   CubeRow(const std::vector<Point>& points, int dimension) : directions(dimension) {

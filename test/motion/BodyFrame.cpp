@@ -47,4 +47,26 @@ TEUCHOS_UNIT_TEST(BodyFrame, RotationVectorsIn3D) {
   TEST_ASSERT(isNear(frame.rotation(), {part, part, part}, 1e-14));
 }
 
+// A helix of radius 2 that rises by 0.5: its length, in the direction at its end.
+TEUCHOS_UNIT_TEST(BodyFrame, ArcsHaveTheDirectionOfTheirEnd) {
+  for (const double angle : {1e-9, 0.3, 1.5, 3.1}) {
+    const Point end{2 * std::cos(angle), 2 * std::sin(angle), 0.5}, way = endOfArc(minus(end, {2, 0, 0}), {0, 0, angle});
+    TEST_ASSERT(isNear(way, {-2 * angle * std::sin(angle), 2 * angle * std::cos(angle), 0.5}, 1e-14));
+  }
+  TEST_ASSERT(endOfArc({1, 2, 3}, {0, 0, 0}) == (Point{1, 2, 3}));
+}
+
+TEUCHOS_UNIT_TEST(BodyFrame, TurnsBetweenFrames) {
+  BodyFrame from({0, 0, 0}), to({0, 0, 0});
+  from.move({0, 0, 0}, {0, 0, 0.5}, {0, 0, 0});
+  for (int k = 0; k < 10; ++k) to.move({0, 0, 0}, {0, 0, 1.0}, {4, 2, 0});
+  TEST_ASSERT(isNear(turnBetween(from, to), {0, 0, 9.5}, 1e-14));  // more than a turn
+  from.move({0, 0, 0}, {0.4, 0, 0}, {0, 0, 0});
+  to = from;
+  to.move({1, 0, 0}, {0.1, -0.2, 0.3}, {7, 0, 0});
+  TEST_ASSERT(isNear(turnBetween(from, to), {0.1, -0.2, 0.3}, 1e-14));
+  const Point place{3, -1, 2};
+  TEST_ASSERT(isNear(to.at(to.drawnAt(place)), place, 1e-14));
+}
+
 }  // namespace

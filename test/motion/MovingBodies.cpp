@@ -69,5 +69,35 @@ TEUCHOS_UNIT_TEST(MovingBodies, CouplesHaveTheGivenMomentAndNoForce) {
   TEST_FLOATING_EQUALITY(moment[2], 3.0, 1e-12);
 }
 
+// The frame of a body follows its held nodes only.
+TEUCHOS_UNIT_TEST(MovingBodies, HeldNodesMoveTheirBody) {
+  const Scene scene = scenes::fromBoxes(twoBoxes(4, 2, 1, 1), 100.0, 0.3);
+  Constraints constraints = scene.constraints;
+  constraints.rules.clear();
+  MovingBodies free(scene.mesh, constraints);
+  TEST_ASSERT(!free.isHeld(0) && !free.isHeld(1));
+  Vector moved = Vector::Zero(Eigen::Index(scene.mesh.coordinates.size()));
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    if (free.partOf(node) != 1) continue;
+    const Point x = scene.mesh.point(node);
+    if (constraints.rules.size() >= 2) {
+      moved[2 * node] = 77.0;  // deformation, which is no motion of the frame
+      continue;
+    }
+    NodeRule rule;
+    rule.node = node;
+    rule.fixed = {true, true, false};
+    constraints.rules.push_back(rule);
+    moved[2 * node] = 0.3 - 1e-3 * x[1];
+    moved[2 * node + 1] = -0.2 + 1e-3 * x[0];
+  }
+  MovingBodies bodies(scene.mesh, constraints);
+  TEST_ASSERT(!bodies.isHeld(0) && bodies.isHeld(1));
+  const MovingBodies::Motion motion = bodies.motionOf(1, moved);
+  TEST_FLOATING_EQUALITY(motion.rotation[2], 1e-3, 1e-10);
+  TEST_FLOATING_EQUALITY(motion.shift[0], 0.3 - 1e-3 * motion.about[1], 1e-12);
+  TEST_FLOATING_EQUALITY(motion.shift[1], -0.2 + 1e-3 * motion.about[0], 1e-12);
+}
+
 }  // namespace
 }  // namespace suture

@@ -105,5 +105,19 @@ TEUCHOS_UNIT_TEST(InnerSolver, DoesNotGoOnForEver) {
   TEST_ASSERT(!more.converged && !solver.canGoOn());
 }
 
+// Without a tolerance the recurrence would go on to underflow, and break down there.
+TEUCHOS_UNIT_TEST(InnerSolver, EndsAtRoundOff) {
+  Problem p;
+  const MultiVectorPtr x = p.one.problem.space()->vector(), exact = p.one.problem.space()->vector();
+  InnerSolver solver(2000);
+  const InnerResult once = p.solve(solver, *exact, 1e-14), result = p.solve(solver, *x, 0.0);
+  TEST_ASSERT(result.converged);
+  TEST_COMPARE(result.residual, <=, 2.3e-16);
+  TEST_COMPARE(result.pcg, <, once.pcg + 10);
+  const double size = std::sqrt(dot(*exact, *exact));
+  x->update(-1.0, *exact, 1.0);
+  TEST_COMPARE(std::sqrt(dot(*x, *x)), <, 1e-12 * size);
+}
+
 }  // namespace
 }  // namespace suture

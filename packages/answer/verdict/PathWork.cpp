@@ -115,7 +115,7 @@ std::pair<double, double> WorkMeter::externalWork(const End& now) const {
 
 void WorkMeter::add(const Answer& answer) {
   End now = endOf(answer);
-  double mine[4] = {0.0, 0.0, 0.0, 0.0}, all[4];  // of loads, of prescribed motions, normal, tangential
+  double mine[4] = {0.0, 0.0, 0.0, 0.0}, all[4];  // work of loads and of prescribed motions, normal and tangential
   std::tie(mine[0], mine[1]) = externalWork(now);
   // New pairs of bodies that move far begin with no force, at an unknown gap.
   int moves = 0;

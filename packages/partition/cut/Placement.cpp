@@ -72,9 +72,9 @@ std::vector<int> runsNeeded(const std::vector<long long>& weights, long long lim
 std::vector<int> placeInRuns(const std::vector<long long>& weights, int ranks) {
   if (weights.empty()) return {};
   const int units = static_cast<int>(weights.size());
-  long long total = std::accumulate(weights.begin(), weights.end(), 0LL), tooSmall = -1,
-            limit = std::max(*std::max_element(weights.begin(), weights.end()), total);
-  tooSmall = std::max(*std::max_element(weights.begin(), weights.end()), (total + ranks - 1) / ranks) - 1;
+  const long long largest = *std::max_element(weights.begin(), weights.end());
+  long long total = std::accumulate(weights.begin(), weights.end(), 0LL);
+  long long limit = total, tooSmall = std::max(largest, (total + ranks - 1) / ranks) - 1;  // bounds of the least largest load
   while (limit - tooSmall > 1) {
     const long long middle = tooSmall + (limit - tooSmall) / 2;
     (runsNeeded(weights, middle)[0] <= ranks ? limit : tooSmall) = middle;
@@ -82,7 +82,7 @@ std::vector<int> placeInRuns(const std::vector<long long>& weights, int ranks) {
   const std::vector<int> needed = runsNeeded(weights, limit);
   std::vector<int> rankOf(weights.size());
   int rank = 0, first = 0;  // first unit of this rank
-  long long load = 0;       // of this rank; `total`: of this rank and the units that are not placed
+  long long load = 0;       // cost of this rank; `total`: with the units that are not placed
   for (int unit = 0; unit < units; ++unit) {
     const int left = ranks - rank;  // with this rank
     const bool isEnough = 2 * static_cast<double>(load) + static_cast<double>(weights[unit]) > 2.0 * static_cast<double>(total) / left;

@@ -20,8 +20,7 @@ struct CoarseClusters {
 /// Ranks that share coarse unknowns exchange their data; messages and memory are proportional to a rank's own elements. Collective.
 /// \param locals  local problems over all ranks
 /// \param wanted  clusters over all ranks, distributed in proportion to each rank's local problems; at least one per connected part and
-/// rank, at most one per local problem; 0: automaticClusters(). Slender clusters add
-/// to them
+/// rank, at most one per local problem; 0: automaticClusters(). Divided slender clusters (divideSlender) come on top.
 CoarseClusters coarseClusters(const CommPtr& comm, const CoarseElements& coarse, int locals, int wanted);
 
 /// Default number of clusters: about the square root of the number of local problems, at least one per rank.

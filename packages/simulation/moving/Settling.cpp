@@ -10,7 +10,9 @@ constexpr double kRoundOff = 1e-13;  // change relative to the extent of the sce
 // Part of the expected change of a round that its solution may miss, and the largest tolerance, with which pair states are still found.
 constexpr double kMissedPart = 0.01;
 constexpr double kLoosestRound = 1e-3;
-constexpr double kContraction = 0.01;  // of small strains; for shapes that nearly conform it is nearer to one
+// Expected ratio of the changes of two rounds, as for small strains. Shapes that nearly conform contract less; the tolerance is then smaller
+// than necessary.
+constexpr double kContraction = 0.01;
 
 }  // namespace
 

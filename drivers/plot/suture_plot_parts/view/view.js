@@ -274,7 +274,7 @@
         low[i % 3] = Math.min(low[i % 3], this.points[i]);
         high[i % 3] = Math.max(high[i % 3], this.points[i]);
       }
-      this.box = { low, high }; // of the undeformed bodies, for cuts
+      this.box = { low, high }; // box of the undeformed bodies, for cuts
       this.all = [...data.fields, ...(data.contacts ? data.contacts.fields : [])];
     }
 
