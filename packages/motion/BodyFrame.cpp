@@ -41,22 +41,14 @@ Point endOfArc(const Point& chord, const Point& rotation) {
 
 Point BodyFrame::at(const Point& drawn) const { return plus(place_, turn(minus(drawn, centre_))); }
 
-Point BodyFrame::turn(const Point& vector) const {
-  Point turned = pointOf(turned_ * vectorOf(vector));
-  if (onlyAboutZ_) turned[2] = vector[2];
-  return turned;
-}
-
-Point BodyFrame::turnBack(const Point& vector) const {
-  Point turned = pointOf(turned_.conjugate() * vectorOf(vector));
-  if (onlyAboutZ_) turned[2] = vector[2];
-  return turned;
-}
+Point BodyFrame::turn(const Point& vector) const { return pointOf(matrix_ * vectorOf(vector)); }
+Point BodyFrame::turnBack(const Point& vector) const { return pointOf(matrix_.transpose() * vectorOf(vector)); }
 
 void BodyFrame::move(const Point& shift, const Point& rotation, const Point& about) {
   const Eigen::Quaterniond by = rotationBy(rotation);
   place_ = plus(plus(about, shift), pointOf(by * vectorOf(minus(place_, about))));
   turned_ = (by * turned_).normalized();
+  matrix_ = turned_.toRotationMatrix();
   onlyAboutZ_ = onlyAboutZ_ && rotation[0] == 0.0 && rotation[1] == 0.0;
   angle_ += rotation[2];
 }
@@ -70,6 +62,7 @@ BodyFrame BodyFrame::ofNumbers(const std::array<double, kNumbers>& numbers) {
   BodyFrame frame({numbers[0], numbers[1], numbers[2]});
   frame.place_ = {numbers[3], numbers[4], numbers[5]};
   frame.turned_ = Eigen::Quaterniond(numbers[6], numbers[7], numbers[8], numbers[9]);
+  frame.matrix_ = frame.turned_.toRotationMatrix();
   frame.angle_ = numbers[10];
   frame.onlyAboutZ_ = numbers[11] != 0.0;
   return frame;

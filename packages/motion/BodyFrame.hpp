@@ -42,7 +42,8 @@ class BodyFrame {
  private:
   Point centre_{0, 0, 0}, place_{0, 0, 0};
   Eigen::Quaterniond turned_ = Eigen::Quaterniond::Identity();
-  double angle_ = 0.0;  // about z, with all turns
+  Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Identity();  // the same rotation: a frame turns many points
+  double angle_ = 0.0;                                    // about z, with all turns
   bool onlyAboutZ_ = true;
 };
 

@@ -31,10 +31,12 @@ bool determine(const Mesh& mesh, const std::vector<int>& nodes) {
 
 }  // namespace
 
-MovingBodies::MovingBodies(const Mesh& drawn, const Constraints& constraints) : drawn_(&drawn) {
+MovingBodies::MovingBodies(const Mesh& drawn, const Constraints& constraints, std::vector<bool> rests) : drawn_(&drawn) {
   const RigidParts rigid = freeRigidMotions(drawn, constraints);
   partOf_ = rigid.partOfNode;
   const std::size_t parts = rigid.parts.size();
+  rests.resize(drawn.bodies.size(), false);
+  for (const auto& part : rigid.parts) rests_.push_back(rests[static_cast<std::size_t>(part.body)]);
   std::vector<double> weight(static_cast<std::size_t>(drawn.nodes()), 0.0);
   for (int e = 0; e < drawn.elements(); ++e)
     for (const int node : drawn.nodesOf(e))
@@ -54,8 +56,9 @@ MovingBodies::MovingBodies(const Mesh& drawn, const Constraints& constraints) : 
     gauge.isHeld = true;
   }
   for (const RigidGroup& group : constraints.rigidGroups) {
-    Gauge& gauge = grouped[static_cast<std::size_t>(partOf(group.nodes.front()))];
-    if (!gauge.nodes.empty())
+    const int part = partOf(group.nodes.front());
+    Gauge& gauge = grouped[static_cast<std::size_t>(part)];
+    if (!gauge.nodes.empty() && !this->rests(part))
       throw InputError(
           "Boundary Conditions/" + constraints.conditions[static_cast<std::size_t>(group.condition)],
           "is a second Rigid Group of body '" +
@@ -98,8 +101,9 @@ Mesh MovingBodies::placed() const { return meshAt(placement()); }
 Mesh MovingBodies::present() const { return meshAt(placement() + beside_); }
 
 void MovingBodies::move(int part, const Motion& motion) {
+  if (rests(part)) return;
   frames_[static_cast<std::size_t>(part)].move(motion.shift, motion.rotation, motion.about);
-  const Eigen::Quaterniond by = rotationBy(motion.rotation);
+  const Eigen::Matrix3d by = rotationBy(motion.rotation).toRotationMatrix();
   const int d = drawn_->dimension;
   for (int node = 0; node < drawn_->nodes(); ++node) {
     if (partOf(node) != part) continue;
@@ -155,6 +159,7 @@ std::map<int, Point> MovingBodies::couple(int part, const Point& moment) const {
 }
 
 MovingBodies::Motion MovingBodies::motionOf(int part, const Vector& displacement) const {
+  if (rests(part)) return {};
   const auto p = static_cast<std::size_t>(part);
   const int d = drawn_->dimension;
   const Gauge& gauge = gauges_[p];
@@ -179,7 +184,11 @@ void MovingBodies::absorb(const Vector& displacement) {
   const int d = drawn_->dimension;
   const std::vector<BodyFrame> before = frames_;
   std::vector<Motion> motions;
-  for (std::size_t p = 0; p < frames_.size(); ++p) motions.push_back(motionOf(static_cast<int>(p), displacement));
+  std::vector<Eigen::Matrix3d> turns;
+  for (std::size_t p = 0; p < frames_.size(); ++p) {
+    motions.push_back(motionOf(static_cast<int>(p), displacement));
+    turns.push_back(rotationBy(motions.back().rotation).toRotationMatrix());
+  }
   for (std::size_t p = 0; p < frames_.size(); ++p) frames_[p].move(motions[p].shift, motions[p].rotation, motions[p].about);
   for (int node = 0; node < drawn_->nodes(); ++node) {
     const int part = partOf(node);
@@ -188,7 +197,7 @@ void MovingBodies::absorb(const Vector& displacement) {
     const Point arm = minus(before[p].at(drawn_->point(node)), motions[p].about);
     const Point own = pointOf(displacement.data() + Eigen::Index(node) * d, d);
     const Point rest = minus(minus(own, motions[p].shift), cross(motions[p].rotation, arm));
-    const Eigen::Vector3d turned = rotationBy(motions[p].rotation) * Eigen::Map<const Eigen::Vector3d>(rest.data());
+    const Eigen::Vector3d turned = turns[p] * Eigen::Map<const Eigen::Vector3d>(rest.data());
     for (int k = 0; k < d; ++k) beside_[Eigen::Index(node) * d + k] = turned[k];
   }
 }

@@ -14,10 +14,10 @@ namespace suture {
 class MovingBodies {
  public:
   MovingBodies() = default;
-  /// \throws InputError  two rigid groups on one part
+  /// \throws InputError  two rigid groups on one part that moves
   /// \param drawn  must outlive it \param constraints  of the drawn mesh: its rigid groups and fixed nodes determine the frames of their
-  /// parts
-  MovingBodies(const Mesh& drawn, const Constraints& constraints);
+  /// parts \param rests  by body: it stays near its drawn place, and its frames stay where they are; empty: none
+  MovingBodies(const Mesh& drawn, const Constraints& constraints, std::vector<bool> rests = {});
 
   /// The mesh at the frames, without strain.
   Mesh placed() const;
@@ -39,11 +39,13 @@ class MovingBodies {
   struct Motion {
     Point shift{0, 0, 0}, rotation{0, 0, 0}, about{0, 0, 0};
   };
+  /// True if the frame of a part stays where it is drawn.
+  bool rests(int part) const { return rests_[static_cast<std::size_t>(part)]; }
   /// True if conditions prescribe all displacements of the nodes that determine the frame of a part.
   bool isHeld(int part) const { return gauges_[static_cast<std::size_t>(part)].isHeld; }
-  /// The rigid motion that fits displacements from the placed mesh at the nodes that determine the frame of a part.
+  /// The rigid motion that fits displacements from the placed mesh at the nodes that determine the frame of a part; none if it rests.
   Motion motionOf(int part, const Vector& displacement) const;
-  /// Moves a part with its displacements: see BodyFrame::move().
+  /// Moves a part that does not rest, with its displacements: see BodyFrame::move().
   void move(int part, const Motion& motion);
   /// Forces on the nodes that determine the frame of a part whose sum is zero and whose moment about any point of the placed body is given:
   /// by node.
@@ -64,6 +66,7 @@ class MovingBodies {
 
   const Mesh* drawn_ = nullptr;
   std::vector<int> partOf_, bodies_;
+  std::vector<bool> rests_;  // by part
   std::vector<Gauge> gauges_;
   std::vector<BodyFrame> frames_;
   Vector beside_;

@@ -7,6 +7,7 @@
 #include <suture/report/Fields.hpp>
 #include <suture/report/Format.hpp>
 #include <suture/report/Provenance.hpp>
+#include <suture/report/StressAxes.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/report/VtkHdf.hpp>
 #include <unordered_map>
@@ -153,8 +154,9 @@ void addMaterials(const SubdomainMesh& mesh, const ElasticModel& model, const st
 double writtenFactor(double factor) { return factor > kLargestFactor ? kLargestFactor : factor; }
 
 /// \param own  stresses of a user-defined subdomain, or null
-void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, const Matrix* own, Piece& all) {
-  const Matrix stress = own ? *own : elementStresses(mesh, model, u);
+void addStresses(const Run& run, const SubdomainMesh& mesh, const Vector& u, const Matrix* own, Piece& all) {
+  const ElasticModel& model = run.model;
+  const Matrix stress = inStressAxes(run, mesh, own ? *own : elementStresses(mesh, model, u));
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
   for (int e = 0; e < mesh.elements(); ++e) {
@@ -177,9 +179,9 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
   for (const double factor : factors) all.safety.push_back(writtenFactor(factor));
 }
 
-std::string stressMeaning(const ElasticModel& model, const std::string& where) {
-  return (model.axisymmetric ? "XX radial, YY along the axis, ZZ hoop, XY; YZ XZ zero; " : "XX YY ZZ XY YZ XZ; ") + where +
-         "; tension positive";
+std::string stressMeaning(const Run& run, const std::string& where) {
+  return (run.model.axisymmetric ? "XX radial, YY along the axis, ZZ hoop, XY; YZ XZ zero; " : "XX YY ZZ XY YZ XZ; ") + where +
+         "; tension positive; " + stressAxesText(run);
 }
 
 std::string principalMeaning(const ElasticModel& model) {
@@ -202,7 +204,7 @@ class FieldRows {
         units_(unitsOf(*run.scene.parameters)),
         displacement_(file.pointData<double>({"Displacement", 3, units_.length, "x, y, z; along the axes"})),
         nodeId_(file.pointData<GlobalId>({"NodeId", 1, "", "number of the node in the mesh, from 0"})),
-        stress_(reals("Stress", 6, units_.stress, stressMeaning(run.model, "at the centroid"))),
+        stress_(reals("Stress", 6, units_.stress, stressMeaning(run, "at the centroid"))),
         principal_(reals("PrincipalStress", 3, units_.stress, principalMeaning(run.model) + "; at the centroid; tension positive")),
         firstDirection_(
             reals("PrincipalDirection1", 3, "",
@@ -215,7 +217,7 @@ class FieldRows {
       const auto atNodes = [&](const char* name, int components, const std::string& meaning) {
         return file.pointData<double>({name, components, units_.stress, meaning});
       };
-      nodalStress_.emplace(atNodes("NodalStress", 6, stressMeaning(run.model, kRecovered)));
+      nodalStress_.emplace(atNodes("NodalStress", 6, stressMeaning(run, kRecovered)));
       nodalPrincipal_.emplace(atNodes("NodalPrincipalStress", 3, std::string("largest, middle, smallest of the tensor; ") + kRecovered));
       nodalVonMises_.emplace(atNodes("NodalVonMises", 1, kRecovered));
     }
@@ -294,7 +296,7 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     const SubdomainMesh& mesh = run.subdomains[s];
     const Vector& u = run.solution.displacement[s];
     addNodes(mesh, numbers, u, piece);
-    if (!run.solution.nodalStresses.empty()) addNodalStresses(mesh, numbers, run.solution.nodalStresses[s], piece);
+    if (!run.solution.nodalStresses.empty()) addNodalStresses(mesh, numbers, inStressAxes(run, mesh, run.solution.nodalStresses[s]), piece);
     if (run.solution.sinceTime) addSince(mesh, numbers, run.solution.since[s], piece);
     if (!run.solution.safety.nodal.empty())
       for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n)
@@ -302,7 +304,7 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     addCells(mesh, numbers.of(mesh), piece);
     addMaterials(mesh, run.model, materials, piece);
     const auto own = run.solution.ownStresses.find(static_cast<int>(s));
-    addStresses(mesh, run.model, u, own == run.solution.ownStresses.end() ? nullptr : &own->second, piece);
+    addStresses(run, mesh, u, own == run.solution.ownStresses.end() ? nullptr : &own->second, piece);
     if (run.solution.discretisation) {
       const Vector& error = run.solution.discretisation->ofElements[s];
       piece.error.insert(piece.error.end(), error.data(), error.data() + error.size());

@@ -43,6 +43,9 @@ Schema schemaOf(bool inFile) {
   scene.list("Functions", functionsSchema());
   scene.list("Mesh", meshSchema(), inFile);
   Schema body = bodySchema();
+  body.oneOf("Motion", "Scene", {"Scene", "Small"},
+             "Scene: the Motion of the scene. Small: in a scene with Motion = Moving, a body that stays near its drawn place, as in other "
+             "scenes; it may have elastic supports, anisotropic materials and initial stresses.");
   body.choice("Subdomain", "Elastic", Registry<Subdomain>::instance().schemas(), "The physics of the body's subdomains.");
   scene.list("Bodies", Schema("The elastic bodies, each named like its element group in the mesh.").each("<body>", body, least), inFile);
   scene.list("Materials", Schema("Materials, named by the user. Further ones come from Material Files and the built-in file.")

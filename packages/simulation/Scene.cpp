@@ -158,6 +158,12 @@ void setLines(Scene& scene, const std::vector<ContactLine>& lines) {
 
 bool movesFar(const Scene& scene) { return scene.settings().get<std::string>("Motion") == "Moving"; }
 
+bool movesFar(const Scene& scene, const std::string& body) {
+  if (!movesFar(scene)) return false;
+  const Parameters& bodies = scene.settings().sublist("Bodies");
+  return !bodies.isSublist(body) || bodies.sublist(body).get<std::string>("Motion") == "Scene";  // bodies made in C++ have no list
+}
+
 std::vector<std::string> Scene::entries() const { return lines.empty() ? contacts : entryNames(lines); }
 
 Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, const std::vector<Condition>& conditions,

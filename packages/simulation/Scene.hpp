@@ -45,8 +45,10 @@ struct Scene {
   std::vector<std::string> entries() const;
 };
 
-/// True if the bodies of the scene move far (Motion = Moving).
+/// True if bodies of the scene move far (Motion = Moving).
 bool movesFar(const Scene& scene);
+/// True if this body does: not one whose own Motion is Small.
+bool movesFar(const Scene& scene, const std::string& body);
 
 /// Creates the objects of a scene file. Local, the same on all ranks.
 /// \throws InputError  lists all errors in materials, loads and levels of a nested start

@@ -84,6 +84,7 @@ PartitionedScene cut(MeshedScene meshed) {
   PartitionedScene result(std::move(meshed));
   SceneParts& parts = *result.parts_;
   const Comm& comm = parts.run.comm();
+  if (movesFar(parts.scene)) collectivelyOnRoot(comm, "checking the motion of bodies", [&] { checkSupports(parts.scene, parts.mesh); });
   parts.cut = timed(parts.run.timers(), "partition", [&] { return cutMesh(comm, parts.scene, parts.mesh, parts.constraints); });
   parts.size = parts.cut.whole.size;
   if (movesFar(parts.scene)) parts.drawn = std::make_shared<const DrawnScene>(DrawnScene{parts.mesh, parts.constraints, parts.scene.model});

@@ -1,11 +1,13 @@
 """Bodies that slide and turn far (Motion = Moving): the same results for any number of steps and ranks, in turned axes, and against statics,
-Hertz and another program; refused scenes.
+Hertz and another program; bodies that rest; axes of stresses; refused scenes.
 
 moving.py --solve PROGRAM --partition PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
 import csv
 import math
 import pathlib
+
+import h5py
 
 from harness import arguments, check, finish, run, setting
 from moving_runs import force, solve, table
@@ -59,6 +61,38 @@ for angle in (0.0, 0.3, 1.0, 3.0, 100.0):
     check(f"turned by {angle}: the path is solved", code, 0)
     check(f"turned by {angle}: forces turn along", max(abs(a - b) for a, b in zip(own, first)) / abs(first[1]), lambda part: part < 1e-9)
     check("frames", max(abs(float(row["rotation_z"]) - angle) for row in frames), lambda apart: apart < 1e-10)
+
+# Stresses in the axes of the body do not see that it turns.
+stresses = {}
+for angle, axes in ((0.0, "Global"), (2.0, "Body"), (2.0, "Global")):
+    words = [*setting("Boundary Conditions/ground/Rotation z", angle), *setting("Output/Stress Axes", axes), *setting("Output/Nodal Stresses", "true")]
+    for motion, value in (("Motion x", 0.002 * math.sin(angle)), ("Motion y", -0.002 * math.cos(angle)), ("Rotation z", angle)):
+        words += setting(f"Boundary Conditions/press/{motion}", repr(value))
+    code, *_ = solve(f"axes_{angle}_{axes}", TURNED, *words, *setting("Outer Solver/Tolerance", "1e-10"))
+    check(f"stresses of a turned body in the axes {axes}: solved", code, 0)
+    with h5py.File(options.work / f"axes_{angle}_{axes}" / "fields_0000.vtkhdf") as file:
+        stresses[angle, axes] = (file["VTKHDF/CellData/Stress"][:], file["VTKHDF/PointData/NodalStress"][:])
+for k, name in enumerate(("stress", "nodal stress")):
+    drawn = stresses[0.0, "Global"][k]
+    check(f"{name} in the axes of the body", abs(stresses[2.0, "Body"][k] - drawn).max() / abs(drawn).max(), lambda part: part < 1e-8)
+    check(f"{name} in global axes", abs(stresses[2.0, "Global"][k] - drawn).max() / abs(drawn).max(), lambda part: part > 0.5)
+
+# A block slides without friction on a bed that stays where it is, on springs, of an orthotropic material: it sinks and tilts as by statics.
+BED = HERE / "moving_bed.xml"
+for name, ranks in (("bed", 1), ("bed_3", 3)):
+    code, _, summary, rows, frames = solve(name, BED, ranks=ranks)
+    check("bed: solved", (code, summary["verified"], len(rows)), (0, True, 3))
+    sinks, tilts = 10 / (100 * 10), 5 * 10 * 2 / (100 * 10**3 / 12)
+    for probe, expected in (("left", tilts - sinks), ("right", -tilts - sinks)):
+        found = float(table(options.work / name, f"probe_{probe}.csv")[0]["uy"])
+        check(f"bed: displacement {probe}", abs(found - expected) / sinks, lambda part: part < 5e-3)
+    check("bed: its frame stays", {float(row[column]) for row in frames if row["body"] == "bed" for column in ("displacement_x", "displacement_y", "rotation_z")}, {0.0})
+for name, words, expected in (("springs", setting("Bodies/bed/Motion", "Scene"), ["Boundary Conditions/springs", "Materials/stiff/Type", "Motion = Small"]),
+                              ("other_springs", [*setting("Bodies/bed/Motion", "Small"), *setting("Boundary Conditions/springs/Group", "block_left")],
+                               ["Boundary Conditions/springs", "'block'"]),
+                              ("all_small", setting("Bodies/block/Motion", "Small"), ["Motion: is Moving, but Motion of each body is Small"])):
+    code, text, *_ = solve("bed_" + name, BED, *words)
+    check(f"bed, refused: {name}", (code, [part in text for part in expected]), (3, [True] * len(expected)))
 
 # A bush pressed into a plate (plane stress; drawn with an interference of 0.002) between rigid rings, turned with the plate and pushed aside. Pressure
 # by Lame: u = A (r - s^2 / r) is zero at the radius s of the rigid ring.

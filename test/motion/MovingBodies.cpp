@@ -99,5 +99,23 @@ TEUCHOS_UNIT_TEST(MovingBodies, HeldNodesMoveTheirBody) {
   TEST_FLOATING_EQUALITY(motion.shift[1], -0.2 + 1e-3 * motion.about[0], 1e-12);
 }
 
+TEUCHOS_UNIT_TEST(MovingBodies, BodiesThatRestKeepTheirFrames) {
+  const Scene scene = scenes::fromBoxes(twoBoxes(4, 2, 1, 1), 100.0, 0.3);
+  MovingBodies bodies(scene.mesh, scene.constraints, {false, true});
+  const int resting = bodies.bodies()[0] == 1 ? 0 : 1;
+  TEST_ASSERT(bodies.rests(resting) && !bodies.rests(1 - resting));
+  Vector moved = Vector::Constant(Eigen::Index(scene.mesh.coordinates.size()), 0.25);
+  bodies.absorb(moved);
+  for (const int part : {0, 1}) bodies.move(part, {{0, 1, 0}, {0, 0, 0.5}, {0, 0, 0}});
+  const BodyFrame &rests = bodies.frames()[static_cast<std::size_t>(resting)],
+                  &moves = bodies.frames()[static_cast<std::size_t>(1 - resting)];
+  TEST_ASSERT(rests.place() == rests.centre() && rests.rotation()[2] == 0.0);
+  TEST_FLOATING_EQUALITY(moves.rotation()[2], 0.5, 1e-14);
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    const double expected = bodies.partOf(node) == resting ? 0.25 : 0.0;
+    TEST_COMPARE(std::abs(bodies.beside()[2 * node] - expected), <, 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace suture

@@ -1,5 +1,6 @@
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/report/StressAxes.hpp>
 #include <suture/report/answers/ProbeValues.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -22,7 +23,7 @@ struct GroupSide {
   bool operator<(const GroupSide& other) const { return std::tie(first, second) < std::tie(other.first, other.second); }
 };
 
-/// Stresses of a mesh's elements at their centroids, computed on first use.
+/// Stresses of a mesh's elements at their centroids, in the axes of the run, computed on first use.
 class Centroids {
  public:
   Centroids(const Run& run, int mesh) : run_(run), mesh_(mesh) {}
@@ -30,8 +31,9 @@ class Centroids {
     if (!stresses_) {
       const SubdomainMesh& mesh = run_.subdomains[mesh_];
       const auto own = run_.solution.ownStresses.find(mesh_);
-      stresses_ =
-          own != run_.solution.ownStresses.end() ? own->second : elementStresses(mesh, run_.model, run_.solution.displacement[mesh_]);
+      stresses_ = inStressAxes(
+          run_, mesh,
+          own != run_.solution.ownStresses.end() ? own->second : elementStresses(mesh, run_.model, run_.solution.displacement[mesh_]));
     }
     std::array<double, 6> stress{};
     for (Eigen::Index k = 0; k < stresses_->cols(); ++k) stress[std::size_t(k)] = (*stresses_)(element, k);
@@ -46,8 +48,9 @@ class Centroids {
 
 class Values {
  public:
-  Values(const Run& run, const std::vector<Matrix>& nodal) : run_(run), nodal_(nodal) {
+  Values(const Run& run, const std::vector<Matrix>& nodal) : run_(run) {
     for (std::size_t m = 0; m < run.subdomains.size(); ++m) centroids_.emplace_back(run, static_cast<int>(m));
+    for (std::size_t m = 0; m < nodal.size(); ++m) nodal_.push_back(inStressAxes(run, run.subdomains[m], nodal[m]));
   }
 
   /// \param weights  of the nodes of the element
@@ -70,7 +73,7 @@ class Values {
 
  private:
   const Run& run_;
-  const std::vector<Matrix>& nodal_;
+  std::vector<Matrix> nodal_;
   std::vector<Centroids> centroids_;
 };
 

@@ -7,7 +7,19 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
+
 namespace suture {
+
+namespace {
+
+const std::string kInsteadOfSprings =
+    "the springs of an Elastic Support would turn with the body: use a Displacement, a Rigid Group or a Force";
+
+/// Advice for what only a body that moves far cannot have.
+std::string orSmall(const std::string& body) { return ", or give " + body + " Motion = Small if it stays near its drawn place"; }
+
+}  // namespace
 
 void checkMotion(const Scene& scene) {
   if (!movesFar(scene)) return;
@@ -28,19 +40,41 @@ void checkMotion(const Scene& scene) {
   refuse(!scene.levels.empty(), "Outer Solver/Start", "expected another value than Nested");
   refuse(settings.sublist("Output").get<bool>("Error Bound"), "Output/Error Bound", "use Output/Error Estimate");
   refuse(!Phases(scene).empty(), "Load Steps", "bodies cannot be removed or placed");
-  for (const ElasticSupport& support : scene.model.supports)
-    refuse(true, "Boundary Conditions/" + support.name,
-           "the springs of an Elastic Support would turn with the body: use a Displacement, a Rigid Group or a Force");
-  for (const Load& load : scene.model.loads)
-    refuse(load.kind == Load::Kind::InitialStress || load.kind == Load::Kind::InitialStrain, load.path,
-           "the axes of initial strains and stresses would turn with the body; a Temperature is possible");
-  for (const std::vector<Material>* materials : {&scene.model.materialOfBody, &scene.model.materialOfRegion})
-    for (const Material& material : *materials)
-      refuse(material.law != nullptr, "Materials/" + material.name + "/Type",
-             "expected Isotropic: the axes of another law would turn with the body");
+  const ElasticModel& model = scene.model;
+  const auto moves = [&](const std::string& body) { return movesFar(scene, body); };
+  if (std::none_of(model.bodies.begin(), model.bodies.end(), moves))
+    problems.add("Motion", "is Moving, but Motion of each body is Small: expected Small, or a body that moves");
+  if (std::all_of(model.bodies.begin(), model.bodies.end(), moves))  // else checkSupports() finds their bodies
+    for (const ElasticSupport& support : model.supports)
+      refuse(true, "Boundary Conditions/" + support.name, kInsteadOfSprings + orSmall("its body"));
+  for (const Load& load : model.loads)
+    if (load.hasTensor())
+      refuse(load.body.empty() ? std::any_of(model.bodies.begin(), model.bodies.end(), moves) : moves(load.body), load.path,
+             "the axes of initial strains and stresses would turn with the body; a Temperature is possible" + orSmall("its body"));
+  const auto checkLaws = [&](const std::vector<Material>& materials, const std::vector<std::string>& bodies) {
+    for (std::size_t i = 0; i < materials.size(); ++i)
+      refuse(materials[i].law && moves(bodies[i]), "Materials/" + materials[i].name + "/Type",
+             "expected Isotropic: the axes of another law would turn with body '" + bodies[i] + "'" + orSmall("it"));
+  };
+  checkLaws(model.materialOfBody, model.bodies);
+  checkLaws(model.materialOfRegion, model.bodyOfRegion);
   for (std::size_t body = 0; body < scene.kinds.size(); ++body)
-    refuse(static_cast<bool>(scene.kinds[body].make) && scene.kinds[body].name != "Elastic",
-           "Bodies/" + scene.model.bodies[body] + "/Subdomain", "expected Elastic");
+    refuse(scene.kinds[body].make && scene.kinds[body].name != "Elastic" && moves(model.bodies[body]),
+           "Bodies/" + model.bodies[body] + "/Subdomain", "expected Elastic" + orSmall("the body"));
+  problems.throwIfAny();
+}
+
+void checkSupports(const Scene& scene, const Mesh& mesh) {
+  Problems problems;
+  for (const ElasticSupport& support : scene.model.supports)
+    for (const Side& side : sidesOf(mesh.sideGroups, support.groups)) {
+      const std::string& body =
+          mesh.bodies[static_cast<std::size_t>(mesh.bodyOfNode[static_cast<std::size_t>(mesh.nodesOf(side).front())])];
+      if (!movesFar(scene, body)) continue;
+      problems.add("Boundary Conditions/" + support.name,
+                   "is not supported on body '" + body + "' with Motion = Moving; " + kInsteadOfSprings + orSmall("the body"));
+      break;
+    }
   problems.throwIfAny();
 }
 

@@ -213,8 +213,10 @@ void MovingConstraints::setGroups(const MovingBodies& bodies, const Mesh& presen
     const std::vector<RigidGroup> single{group};
     const RigidGroupNodes own(single, d);
     const auto besideAt = [&](int node) { return pointOf(bodies.beside().data() + Eigen::Index(node) * d, d); };
+    const bool rests = bodies.rests(bodies.partOf(group.nodes.front()));
     // Displacement from the placed mesh of a motion that meets all prescribed components.
     const auto motionAt = [&](int node) {
+      if (rests) return plus(drive.shift, cross(drive.turn, minus(drawn_.point(node), drive.drawn)));
       if (!turns) return besideAt(node);
       return plus(besideAt(node), plus(drive.shift, cross(drive.turn, minus(present.point(node), drive.point))));
     };

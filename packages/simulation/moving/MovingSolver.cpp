@@ -50,7 +50,9 @@ MovingSolver::MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> 
     : parts_(parts), drawn_(std::move(drawn)), resolved_(parts.scene.model) {
   collectivelyOnRoot(comm(), "placing the bodies", [&] {
     constraints_ = std::make_unique<const MovingConstraints>(parts_.scene, drawn_->mesh, drawn_->constraints);
-    accepted_.bodies = MovingBodies(drawn_->mesh, drawn_->constraints);
+    std::vector<bool> rests;
+    for (const std::string& body : drawn_->mesh.bodies) rests.push_back(!movesFar(parts_.scene, body));
+    accepted_.bodies = MovingBodies(drawn_->mesh, drawn_->constraints, rests);
     history_.begin(accepted_.bodies, accepted_.bodies.present());
     partOfSubdomain_.assign(static_cast<std::size_t>(parts_.cut.partition.subdomains()), 0);
     for (int e = 0; e < drawn_->mesh.elements(); ++e)

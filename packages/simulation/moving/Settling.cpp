@@ -7,9 +7,9 @@ namespace suture {
 namespace {
 
 constexpr double kRoundOff = 1e-13;  // change relative to the extent of the scene, for bodies without strain
-// Tolerance of a round as a part of the change that it is expected to make, and the largest one, with which pair states are still found. Not
-// critical: with parts of 1e-3, 1e-4 and 1e-5 a block that slides, a roller, a hinge and two gears need 3,773, 3,507 and 3,767 iterations of
-// conjugate gradients, and 3,507 with a largest tolerance of 1e-2; 4,515 if all rounds are solved to the end.
+// Tolerance of a round as a part of the change that it is expected to make, and the largest one, with which pair states are still found.
+// Not critical: with parts of 1e-3, 1e-4 and 1e-5 a block that slides, a roller, a hinge and two gears need 3,773, 3,507 and 3,767
+// iterations of conjugate gradients, and 3,507 with a largest tolerance of 1e-2; 4,515 if all rounds are solved to the end.
 constexpr double kPartOfChange = 1e-4;
 constexpr double kLoosestRound = 1e-3;
 
