@@ -180,6 +180,13 @@ MovingBodies::Motion MovingBodies::motionOf(int part, const Vector& displacement
   return motion;
 }
 
+bool MovingBodies::goOnFrom(const std::vector<BodyFrame>& frames, const std::vector<double>& beside) {
+  if (frames.size() != frames_.size() || Eigen::Index(beside.size()) != beside_.size()) return false;
+  frames_ = frames;
+  beside_ = Eigen::Map<const Vector>(beside.data(), Eigen::Index(beside.size()));
+  return true;
+}
+
 void MovingBodies::absorb(const Vector& displacement) {
   const int d = drawn_->dimension;
   const std::vector<BodyFrame> before = frames_;

@@ -50,6 +50,8 @@ class MovingBodies {
   /// Forces on the nodes that determine the frame of a part whose sum is zero and whose moment about any point of the placed body is given:
   /// by node.
   std::map<int, Point> couple(int part, const Point& moment) const;
+  /// Takes over frames, by part, and displacements beside them from a file. False, without a change, if their numbers are others.
+  bool goOnFrom(const std::vector<BodyFrame>& frames, const std::vector<double>& beside);
   /// Makes the displacements of a solution, from the placed mesh, the present ones, and their rigid parts finite motions of the frames.
   void absorb(const Vector& displacement);
 

@@ -41,6 +41,28 @@ void forEachSafety(Safety& one, const Each& each) {
   for (auto& s : one.stress) each(s);
 }
 
+/// Frames of all steps as a text; empty: there are none.
+std::string framesText(const std::vector<StepRow>& rows) {
+  if (std::all_of(rows.begin(), rows.end(), [](const StepRow& row) { return row.frames.empty(); })) return "";
+  nlohmann::json all = nlohmann::json::array();
+  for (const StepRow& row : rows) {
+    nlohmann::json& own = all.emplace_back(nlohmann::json::array());
+    for (const StepRow::Frame& one : row.frames) own.push_back({one.body, one.displacement, one.rotation});
+  }
+  return all.dump();
+}
+
+void readFrames(const std::string& text, const std::string& path, std::vector<StepRow>& rows) {
+  try {
+    const nlohmann::json all = nlohmann::json::parse(text);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const nlohmann::json& one : all.at(i))
+        rows[i].frames.push_back({one.at(0).get<int>(), one.at(1).get<Point>(), one.at(2).get<Point>()});
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(path, "damaged: incomplete frames of load steps");
+  }
+}
+
 /// Rigid groups of all steps as a text; empty: there are none.
 std::string groupsText(const std::vector<StepRow>& rows) {
   if (std::all_of(rows.begin(), rows.end(), [](const StepRow& row) { return row.groups.empty(); })) return "";
@@ -113,6 +135,9 @@ void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
   file.write(at("StepForces"), forces, 3);
   const std::string groups = broadcast(comm, comm.getRank() == 0 ? groupsText(steps.rows) : std::string());
   if (!groups.empty()) file.write(at("StepGroups"), groups);
+  const std::string frames = broadcast(comm, comm.getRank() == 0 ? framesText(steps.rows) : std::string());
+  if (!frames.empty()) file.write(at("StepFrames"), frames);
+  if (steps.moved) writeMovedBodies(file, comm, kGroup, *steps.moved);
   file.write(at("NextStep"), comm.getRank() == 0 ? std::vector<double>{steps.length} : std::vector<double>());
   file.write(at("PathPairs"), pairs, static_cast<int>(kPathPair));
   std::vector<double> carried;
@@ -147,6 +172,9 @@ PathState readPath(const Hdf5Reader& file, const std::string& path, const std::v
   for (std::size_t i = 0; i < lines * steps.rows.size(); ++i)
     steps.rows[i / lines].forceOnB.push_back({forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]});
   if (file.has(at("StepGroups"))) readGroups(file.readText(at("StepGroups")), path, steps.rows);
+  if (file.has(at("StepFrames"))) readFrames(file.readText(at("StepFrames")), path, steps.rows);
+  if (MovedBodies moved = readMovedBodies(file, kGroup, path); !moved.empty())
+    steps.moved = std::make_shared<const MovedBodies>(std::move(moved));
   steps.length = next.front();
   readChanges(file, path, steps);
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -2,9 +2,11 @@
 #include <suture/answer/Solution.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/report/MovedBodies.hpp>
 #include <suture/report/Steps.hpp>
 #include <suture/solver/Method.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,8 @@ struct PathState {
   std::vector<Fit> fits{};           ///< likewise
   double since = 0.0;                ///< time of `Output/Displacements Since`; 0: not reached
   std::vector<Vector> reference{};   ///< displacements at that time, by subdomain of this rank
+  /// Bodies that move far: not null on all ranks, written from rank 0, read on all ranks. Null: they do not move far.
+  std::shared_ptr<const MovedBodies> moved{};
 
   bool empty() const { return rows.empty(); }
 };

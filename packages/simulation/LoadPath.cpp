@@ -111,6 +111,8 @@ void LoadPath::goOnFrom(PathState state) {
   length = state.length;
   carried_ = state.carried;
   safety = std::move(state.safety);
+  moved = std::move(state.moved);
+  if (moved) return;  // the solver of bodies that move far keeps the histories of its pairs
   for (const PathState::Pair& pair : state.pairs) past_[pair.id] = pair.past;
 }
 
@@ -120,6 +122,7 @@ PathState LoadPath::state(const std::vector<PairResult>& pairs) const {
     const auto past = past_.find(pair.id);
     state.pairs.push_back({pair.id, past == past_.end() ? ContactPair::Past() : past->second, pair.force, pair.tangential});
   }
+  state.moved = moved;
   return state;
 }
 

@@ -9,6 +9,7 @@
 #include <suture/simulation/Release.hpp>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,10 @@ class LoadPath {
   double presentTime() const { return presentTime_; }
   double time() const { return rows.empty() ? 0.0 : rows.back().time; }
 
-  std::vector<StepRow> rows;        ///< rows of the steps so far
-  double length = 0.0;              ///< length of the next step
-  std::vector<LeastSafety> safety;  ///< least safety factors over the steps so far
+  std::vector<StepRow> rows;                 ///< rows of the steps so far
+  double length = 0.0;                       ///< length of the next step
+  std::vector<LeastSafety> safety;           ///< least safety factors over the steps so far
+  std::shared_ptr<const MovedBodies> moved;  ///< bodies that move far, at the end of the last step; null: there are none
 
  private:
   const Comm& comm_;

@@ -98,7 +98,8 @@ std::string PathFollower::lastStates() const {
 /// Continues the path of a checkpoint. \param before  receives the solution of its last step
 void PathFollower::goOnFromStart(Solution& before) {
   path().goOnFrom(restart_);
-  before = lastSolution(parts_, *solver_.start(), restart_);
+  before = solver_.goOnFrom(restart_);
+  if (!solver_.keepsPairs() && path().rows.size() > 1) lastBegin_ = path().time() - path().rows.back().length;
   const double tolerance = requestedAccuracy(scene().settings(), before);
   meter_.goOnFrom({parts_.cut.meshes, scene().model, before.displacement, before.pairs, parts_.cut.whole.pieces, tolerance},
                   path().rows.back().work);
@@ -156,7 +157,7 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
       if (!row.frames.empty()) writeFrames(path().rows, scene().model.bodies, (folder / "frames.csv").string());
       if (!row.groups.empty()) writeRigidGroups(path().rows, (folder / "rigid_groups.csv").string());
     });
-    if (solver_.keepsPairs()) writeState(parts_, solution);
+    writeState(parts_, solution);
   });
 }
 

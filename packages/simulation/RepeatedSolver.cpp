@@ -1,4 +1,5 @@
 #include <suture/simulation/RepeatedSolver.hpp>
+#include <suture/simulation/Restart.hpp>
 
 namespace suture {
 
@@ -23,5 +24,7 @@ Solution RepeatedSolver::solve(const Solution* before, bool isPrepared, const st
   if (start && parts_.path) start->carried = carried();
   return method_->solve(run.monitor(), run.timers(), start && method_->takesStart() ? &*start : nullptr);
 }
+
+Solution RepeatedSolver::goOnFrom(const PathState& state) { return lastSolution(parts_, *start_, state); }
 
 }  // namespace suture

@@ -20,7 +20,7 @@ class RepeatedSolver : public StepSolver {
                  double continues = 0.0) override;
   const Method& method() const override { return *method_; }
   std::unique_ptr<Method> takeMethod() override { return std::move(method_); }
-  const std::optional<Start>& start() const override { return start_; }
+  Solution goOnFrom(const PathState& state) override;
 
  private:
   SceneParts& parts_;

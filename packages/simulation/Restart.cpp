@@ -77,4 +77,10 @@ void requireSameChanges(const PathState& state, const Phases* phases, const std:
                      "a checkpoint at " + pathTime(time) + " after other changes: " + found + "; expected, as in this scene: " + expected);
 }
 
+void requireSameMotion(const PathState& state, bool movesFar, const std::string& path) {
+  if ((state.moved != nullptr) == movesFar) return;
+  throw InputError(path, movesFar ? "a checkpoint without bodies that move far; expected one of a scene with Motion = Moving"
+                                  : "a checkpoint of bodies that move far; expected a scene with Motion = Moving");
+}
+
 }  // namespace suture

@@ -25,4 +25,7 @@ std::string continuesText(const SceneParts& parts);
 /// \param phases  null: nothing is removed or placed
 void requireSameChanges(const PathState& state, const Phases* phases, const std::string& path);
 
+/// \throws InputError  a checkpoint of bodies that move far for a scene whose bodies do not, or the reverse \param path  of the checkpoint
+void requireSameMotion(const PathState& state, bool movesFar, const std::string& path);
+
 }  // namespace suture

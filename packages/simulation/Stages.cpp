@@ -190,11 +190,7 @@ void PreparedScene::startFrom(const std::string& restart) {
   SceneParts& parts = *parts_;
   if (!restart.empty() && parts.scene.accuracy)
     throw InputError("--restart", restart + " belongs to one mesh, but Accuracy/Error makes a sequence of meshes; leave out one of them");
-  if (parts.drawn) {
-    if (!restart.empty())
-      throw InputError("--restart", restart + " cannot be used with Motion = Moving: the path begins with the drawn bodies");
-    return;
-  }
+  if (restart.empty() && parts.drawn) return;
   if (!restart.empty() && parts.plan) {
     goOnInPhase(restart);
     return;
@@ -202,6 +198,7 @@ void PreparedScene::startFrom(const std::string& restart) {
   if (!restart.empty()) {
     start_ = readCheckpoint(parts.run.comm(), restart, parts.cut.whole.hash, parts.cut.meshes, &restart_);
     requireSameChanges(restart_, nullptr, restart);
+    requireSameMotion(restart_, parts.drawn != nullptr, restart);
     restore(parts, restart_);
   } else if (!parts.scene.levels.empty() && method_->takesStart())
     start_ = startFromLevels(parts.run.commPtr(), parts.scene, parts.cut.meshes, parts.run.monitor());

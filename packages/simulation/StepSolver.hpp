@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/report/Checkpoint.hpp>
 #include <suture/report/Steps.hpp>
 #include <suture/solver/Method.hpp>
 
@@ -35,7 +36,9 @@ class StepSolver {
   virtual const Method& method() const = 0;
   /// Hands the method over; no solution afterwards.
   virtual std::unique_ptr<Method> takeMethod() = 0;
-  virtual const std::optional<Start>& start() const = 0;
+  /// Goes on from a checkpoint: the solution of its last step, as far as the next step needs it. Before solve(). Collective.
+  /// \throws InputError  the checkpoint lacks something
+  virtual Solution goOnFrom(const PathState& state) = 0;
 };
 
 }  // namespace suture

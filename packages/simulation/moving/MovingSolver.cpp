@@ -1,9 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/elasticity/ElementForces.hpp>
-#include <suture/elasticity/loads/ResolveLoads.hpp>
-#include <suture/mesh/CellGeometry.hpp>
 #include <suture/partition/NodalValues.hpp>
 #include <suture/partition/RenewConstraints.hpp>
 #include <suture/simulation/moving/MovingSolver.hpp>
@@ -47,7 +44,7 @@ double extentOf(const Mesh& mesh) {
 }  // namespace
 
 MovingSolver::MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> drawn)
-    : parts_(parts), drawn_(std::move(drawn)), resolved_(parts.scene.model) {
+    : parts_(parts), drawn_(std::move(drawn)), loads_(parts.scene.model) {
   collectivelyOnRoot(comm(), "placing the bodies", [&] {
     constraints_ = std::make_unique<const MovingConstraints>(parts_.scene, drawn_->mesh, drawn_->constraints);
     std::vector<bool> rests;
@@ -59,78 +56,10 @@ MovingSolver::MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> 
       partOfSubdomain_[static_cast<std::size_t>(parts_.cut.partition.subdomainOfElement[static_cast<std::size_t>(e)])] =
           accepted_.bodies.partOf(drawn_->mesh.nodesOf(e)[0]);
     extent_ = extentOf(drawn_->mesh);
-    moments_.assign(accepted_.bodies.frames().size(), {0, 0, 0});
   });
   broadcast(comm(), partOfSubdomain_);
-  broadcast(comm(), moments_);
-  acceptedMoments_ = moments_;
   broadcastBytes(comm(), &extent_, sizeof extent_);
   takeDrawnPlaces();
-}
-
-/// Loads at the present places: moments and forces of groups follow from the placed mesh, points of rigid groups move, and forces at points
-/// stay at their nodes.
-void MovingSolver::placeLoads(double time) {
-  ElasticModel& model = parts_.scene.model;
-  model.loads = drawn_->model.loads;
-  std::vector<Point> places;
-  for (std::size_t i = 0; i < model.loads.size(); ++i) {
-    places.push_back(model.loads[i].place);
-    if (model.loads[i].kind == Load::Kind::PointForce) model.loads[i] = resolved_.loads[i];
-    if (comm().getRank() != 0 || model.loads[i].kind != Load::Kind::ReferenceForce) continue;
-    const std::vector<Side> sides = sidesOf(drawn_->mesh.sideGroups, model.loads[i].groups);
-    if (!sides.empty()) places[i] = now_.bodies.frameOf(drawn_->mesh.nodesOf(sides.front()).front()).at(places[i]);
-  }
-  broadcast(comm(), places);
-  for (std::size_t i = 0; i < model.loads.size(); ++i)
-    if (model.loads[i].kind == Load::Kind::ReferenceForce) model.loads[i].place = places[i];
-  resolveLoads(comm(), parts_.cut.meshes, model);
-  addCouples(model);
-  std::vector<SubdomainMesh> none;
-  Constraints noConstraints;
-  parts_.path->setTime(time, model, none, noConstraints);
-}
-
-/// Linear elements balance moments about the places of their nodes without strain. Couples make the balance exact at the present places.
-void MovingSolver::addCouples(ElasticModel& model) const {
-  struct Force {
-    int node;
-    Point force;
-  };
-  std::vector<Force> all;
-  if (comm().getRank() == 0 && !moments_.empty())
-    for (std::size_t part = 0; part < now_.bodies.frames().size(); ++part)
-      for (const auto& [node, force] : now_.bodies.couple(static_cast<int>(part), moments_[part])) all.push_back({node, force});
-  broadcast(comm(), all);
-  if (all.empty()) return;
-  Load load;
-  load.kind = Load::Kind::NodalForces;
-  load.name = "couples of displaced forces";
-  load.isCorrection = true;
-  for (const Force& one : all) load.forces[one.node] = one.force;
-  model.loads.push_back(std::move(load));
-}
-
-/// Moments of the forces on each part about the displacements of their nodes: sum u x F.
-void MovingSolver::findMoments(const Solution& solution) {
-  const ElasticModel& model = parts_.scene.model;
-  std::vector<double> mine(3 * moments_.size(), 0.0), all(mine.size());
-  collectively(comm(), "finding moments", [&] {
-    for (std::size_t s = 0; s < parts_.cut.meshes.size(); ++s) {
-      const SubdomainMesh& mesh = parts_.cut.meshes[s];
-      const auto materialOf = [&](int element) -> const Material& { return model.materialOf(mesh, element, mesh.body); };
-      const Vector forces = elementForces(mesh, materialOf, model.plane, solution.displacement[s]).internal;
-      double* sum = mine.data() + 3 * static_cast<std::size_t>(partOfSubdomain_[static_cast<std::size_t>(mesh.id)]);
-      for (int node = 0; node < mesh.nodes(); ++node) {
-        const Eigen::Index at = Eigen::Index(node) * mesh.dimension;
-        const Point moment =
-            cross(pointOf(solution.displacement[s].data() + at, mesh.dimension), pointOf(forces.data() + at, mesh.dimension));
-        for (std::size_t k = 0; k < 3; ++k) sum[k] += moment[k];
-      }
-    }
-  });
-  Teuchos::reduceAll(comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  for (std::size_t part = 0; part < moments_.size(); ++part) moments_[part] = {all[3 * part], all[3 * part + 1], all[3 * part + 2]};
 }
 
 /// Coordinates of the drawn bodies for meshes that have none yet.
@@ -155,6 +84,15 @@ void MovingSolver::placeMeshes() {
       for (int k = 0; k < mesh.dimension; ++k) mesh.coordinates[static_cast<std::size_t>(at + k)] = place[static_cast<std::size_t>(k)];
     }
   }
+}
+
+/// The loads of a time, at the present places.
+void MovingSolver::placeLoads(double time) {
+  ElasticModel& model = parts_.scene.model;
+  loads_.place(comm(), *drawn_, now_.bodies, parts_.cut.meshes, model);
+  std::vector<SubdomainMesh> none;
+  Constraints noConstraints;
+  parts_.path->setTime(time, model, none, noConstraints);
 }
 
 /// The scene at the present frames, with the pairs of the present shapes.
@@ -235,7 +173,7 @@ MovingSolver::State MovingSolver::stateAfter(const Solution& solution, Settling&
 
 Solution MovingSolver::solve(const Solution*, bool, const std::vector<Vector>*, double continues) {
   now_ = accepted_;
-  moments_ = acceptedMoments_;
+  loads_.goBack();
   collectivelyOnRoot(comm(), "driving the bodies", [&] {
     moveOn(continues);
     constraints_->drive(parts_.path->presentTime(), now_.bodies);
@@ -292,7 +230,7 @@ Solution MovingSolver::solveRounds() {
     }
     settling = after;
     now_ = std::move(next);
-    findMoments(solution);
+    loads_.findMoments(comm(), parts_.cut.meshes, partOfSubdomain_, parts_.scene.model, solution);
     if (settling.isSettled()) return solution;
     if (round < kMostRounds) continue;
     solution.converged = false;
@@ -356,12 +294,74 @@ void MovingSolver::accept(const Solution& solution) {
     history_.begin(now_.bodies, now_.bodies.present());
     accepted_ = now_;
   });
-  acceptedMoments_ = moments_;
+  loads_.accept();
+  parts_.path->moved = moved(solution);
+}
+
+/// The bodies after an accepted step. \param solution  of the step. Local; empty on other ranks than 0
+std::shared_ptr<const MovedBodies> MovingSolver::moved(const Solution& solution) const {
+  auto all = std::make_shared<MovedBodies>();
+  if (comm().getRank() != 0) return all;
+  for (std::size_t part = 0; part < accepted_.bodies.frames().size(); ++part)
+    all->parts.push_back({accepted_.bodies.frames()[part], loads_.moments()[part], lastMotions_[part]});
+  const Vector& beside = accepted_.bodies.beside();
+  all->beside.assign(beside.data(), beside.data() + beside.size());
+  for (const PairResult& pair : solution.pairs) {
+    const int node = parts_.constraints.pairs[static_cast<std::size_t>(pair.id)].node();
+    const auto past = history_.pasts().find({pair.line, node});
+    const bool isKnown = past != history_.pasts().end();
+    all->pairs.push_back({pair.line, node, pair.state, isKnown && past->second.slipped, isKnown ? past->second.dissipated : 0.0, pair.force,
+                          pair.tangential});
+  }
+  return all;
+}
+
+Solution MovingSolver::goOnFrom(const PathState& state) {
+  const MovedBodies& moved = *state.moved;
+  std::map<std::pair<int, int>, const MovedBodies::Pair*> pairOf;
+  for (const MovedBodies::Pair& pair : moved.pairs) pairOf[{pair.line, pair.node}] = &pair;
+  collectivelyOnRoot(comm(), "placing the bodies", [&] {
+    std::vector<BodyFrame> frames;
+    for (const MovedBodies::Part& part : moved.parts) {
+      frames.push_back(part.frame);
+      lastMotions_.push_back(part.lastMotion);
+    }
+    if (!accepted_.bodies.goOnFrom(frames, moved.beside))
+      throw InputError("--restart", "the checkpoint is damaged: it has other bodies than the scene");
+    SlipHistory::Pasts pasts;
+    for (const auto& [at, pair] : pairOf) {
+      accepted_.states[at] = pair->state;
+      pasts[at] = {{0, 0, 0}, pair->slipped, pair->dissipated};
+    }
+    history_.goOnFrom(std::move(pasts));
+    history_.begin(accepted_.bodies, accepted_.bodies.present());
+  });
+  std::vector<Point> moments;
+  for (const MovedBodies::Part& part : moved.parts) moments.push_back(part.moment);
+  loads_.goOnFrom(std::move(moments));
+  now_ = accepted_;
+  place(parts_.path->time());
+  Solution solution;
+  solution.converged = true;
+  solution.energy = parts_.path->rows.back().energy;
+  solution.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside(), drawn_->mesh.dimension);
+  std::vector<PairForce> forces;
+  for (const ContactPair& pair : parts_.constraints.pairs) {  // on rank 0
+    const auto found = pairOf.find({pair.line, pair.node()});
+    if (found == pairOf.end())
+      forces.push_back({pair.id, {}, 0.0, {0, 0, 0}});
+    else
+      forces.push_back({pair.id, found->second->state, found->second->force, found->second->tangential});
+  }
+  std::vector<const SubdomainMesh*> meshes;
+  for (const SubdomainMesh& mesh : parts_.cut.meshes) meshes.push_back(&mesh);
+  solution.pairs = pairResults(comm(), meshes, solution.displacement, forces);
+  return solution;
 }
 
 void MovingSolver::restore(Solution& last) {
   now_ = accepted_;
-  moments_ = acceptedMoments_;
+  loads_.goBack();
   place(parts_.path->time());
   last.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside(), drawn_->mesh.dimension);
 }

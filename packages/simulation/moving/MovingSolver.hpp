@@ -2,6 +2,7 @@
 #include <suture/simulation/SceneParts.hpp>
 #include <suture/simulation/StepSolver.hpp>
 #include <suture/simulation/moving/MovingConstraints.hpp>
+#include <suture/simulation/moving/MovingLoads.hpp>
 #include <suture/simulation/moving/Settling.hpp>
 
 #include <memory>
@@ -9,13 +10,6 @@
 #include <vector>
 
 namespace suture {
-
-/// A scene whose bodies move far, as drawn.
-struct DrawnScene {
-  Mesh mesh;                ///< on rank 0
-  Constraints constraints;  ///< likewise
-  ElasticModel model;       ///< with loads that have no place on the mesh yet
-};
 
 /// Solves load steps of bodies that slide and turn far while their strains stay small. Each round finds the contact pairs between the
 /// present shapes, solves the linear scene at the present frames of the bodies, and makes the rigid part of the solution a finite motion of
@@ -36,7 +30,7 @@ class MovingSolver : public StepSolver {
   bool keepsPairs() const override { return false; }
   const Method& method() const override { return *method_; }
   std::unique_ptr<Method> takeMethod() override { return std::move(method_); }
-  const std::optional<Start>& start() const override { return start_; }
+  Solution goOnFrom(const PathState& state) override;
 
  private:
   /// Shapes and states between two rounds; on rank 0.
@@ -50,9 +44,8 @@ class MovingSolver : public StepSolver {
   void takeDrawnPlaces();
   void placeMeshes();
   void placeLoads(double time);
-  void addCouples(ElasticModel& model) const;
-  void findMoments(const Solution& solution);
   Start startOfRound() const;
+  std::shared_ptr<const MovedBodies> moved(const Solution& solution) const;
   bool isLoose(const Solution& solution) const;
   State stateAfter(const Solution& solution, Settling& settling) const;
   const Comm& comm() const { return parts_.run.comm(); }
@@ -60,16 +53,13 @@ class MovingSolver : public StepSolver {
   SceneParts& parts_;
   std::shared_ptr<const DrawnScene> drawn_;
   std::unique_ptr<Method> method_;
-  std::optional<Start> start_;
-  ElasticModel resolved_;                                 // loads at points of the drawn mesh
+  MovingLoads loads_;
   std::unique_ptr<const MovingConstraints> constraints_;  // on rank 0
   SlipHistory history_;                                   // likewise, of the accepted step
   State accepted_, now_;
   std::vector<MovingBodies::Motion> lastMotions_;  // likewise, by part: motions in the accepted step
   double extent_ = 0.0;                            // largest coordinate [length]
   std::vector<int> partOfSubdomain_;               // part of each subdomain of the scene; the same on all ranks
-  /// By part: moments that its forces have at the present places in addition to those at the placed ones; after the accepted step.
-  std::vector<Point> moments_, acceptedMoments_;
 };
 
 }  // namespace suture

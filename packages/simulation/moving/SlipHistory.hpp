@@ -19,13 +19,18 @@ class SlipHistory {
   void begin(const MovingBodies& bodies, const Mesh& mesh);
   /// Keeps the results of an accepted step, for the pairs of its end.
   void accept(const std::vector<ContactPair>& pairs, const std::vector<PairResult>& results);
+  /// Past of the pairs of the next step, by contact and carrying node; without friction empty.
+  using Pasts = std::map<std::pair<int, int>, ContactPair::Past>;
+  const Pasts& pasts() const { return of_; }
+  /// Takes over pasts from a file.
+  void goOnFrom(Pasts pasts) { of_ = std::move(pasts); }
   /// Sets the past of a pair. \param mesh  in its present shape, in which the pair was found
   void setPast(ContactPair& pair, const Mesh& mesh, const MovingBodies& bodies) const;
 
  private:
   MovingBodies before_;
-  Mesh shape_;                                           // at the beginning of the step
-  std::map<std::pair<int, int>, ContactPair::Past> of_;  // by contact and carrying node
+  Mesh shape_;  // at the beginning of the step
+  Pasts of_;
 };
 
 }  // namespace suture
