@@ -16,7 +16,7 @@ struct MovedBodies {
   /// A connected part of a body.
   struct Part {
     BodyFrame frame;
-    Point moment{0, 0, 0};            ///< of its forces about the displacements of their nodes [force x length]
+    Point moment{0, 0, 0};            ///< moment of its forces about the displacements of their nodes [force x length]
     MovingBodies::Motion lastMotion;  ///< in the step
   };
   /// A contact pair, by its contact and the node that carries it: pairs have other numbers in the next step.
