@@ -149,6 +149,19 @@ check("hinge: the friction angle", abs(math.atan2(-float(joint["centre_x"]), flo
 check("hinge: torque with the arc of contact", abs(-float(joint["mz"]) / 1e4 / 0.19844 - 1), lambda part: part < 1e-3)
 check("hinge: pressure", abs(summary["extremes"]["pressure"]["value"] / 202.5 - 1), lambda part: part < 0.01)
 
+# A drawer that is pulled by more than L / (2 mu) off its middle jams: friction holds it against any force, and driven on it fails the verdict.
+DRAWER = INPUT / "validation" / "v23_moving" / "drawer.xml"
+OFF = setting("Boundary Conditions/pull/Point", "{100, 170}") + setting("Load Steps/Times", "{1, 2}")
+code, text, summary, rows, _ = solve("driven_drawer", DRAWER, *OFF, *setting("Load Steps/Factors/pull", "(t - 1)"))
+check("jammed drawer, driven", (code, summary["converged"], "a body that friction locks cannot be driven on" in text, "set Motion = Moving" in text),
+      (4, False, True, False))
+text = DRAWER.read_text().replace('<Parameter name="Motion x" type="double" value="30"/>', '<Parameter name="Force" type="Array(double)" value="{500, 0}"/>')
+pulled = options.work / "pulled.xml"
+pulled.write_text(text.replace("drawer.geo", str(DRAWER.with_suffix(".geo").resolve())))
+code, _, summary, _, frames = solve("pulled_drawer", pulled, *OFF, *setting("Load Steps/Factors/pull", "t - 0.9"))
+check("jammed drawer, pulled: held", (code, summary["verified"]), (0, True))
+check("jammed drawer, pulled: stays", [abs(float(row["displacement_x"])) for row in frames if row["body"] == "drawer"][-1], lambda way: way < 0.5)
+
 # Settings that bodies that move far cannot have. All are reported together.
 for name, words, expected in (
         ("steps", setting("Load Steps/Times", "{}"), "Load Steps/Times"),

@@ -1,3 +1,4 @@
+#include <suture/answer/verdict/Findings.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
@@ -24,6 +25,12 @@ constexpr double kNewlyClosed = 0.3;
 // The gaps of a curved side may change by more than its nodes move.
 constexpr double kFound = 20.0;
 constexpr int kMostRounds = 40;  // conforming contacts, whose gap is of the order of the displacements, need up to 27
+
+// Advice on `slide`: here sides slide in the deformation beside the frames only.
+constexpr const char* kDeforms =
+    "Beside their motion the bodies deform by this number of elements: the strains are not small. Check stiffness, loads and prescribed "
+    "motions; "
+    "a body that friction locks cannot be driven on";
 
 /// Motions of the parts, about the places of their centres.
 std::vector<MovingBodies::Motion> motionsBetween(const MovingBodies& before, const MovingBodies& now) {
@@ -269,6 +276,8 @@ void MovingSolver::verify(Solution& solution) const {
   const double tolerance = requestedAccuracy(parts_.scene.settings(), solution);
   solution.verification.checks.push_back({"places", worst, kFound * std::max(Settling::kSettled, tolerance), where,
                                           "The shapes of the bodies have not settled: use shorter load steps"});
+  for (Check& check : solution.verification.checks)
+    if (check.name == nameOf(Quantity::Slide)) check.advice = kDeforms;
   if (!solution.verification.holds()) solution.failure = "the verdict does not hold: " + solution.verification.failure();
 }
 
