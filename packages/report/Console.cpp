@@ -11,6 +11,7 @@
 #include <suture/report/Units.hpp>
 #include <suture/report/answers/Answers.hpp>
 #include <suture/report/answers/Probes.hpp>
+#include <suture/report/answers/Transmissions.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 namespace fs = std::filesystem;
@@ -201,11 +202,12 @@ std::vector<std::string> filesOf(const Run& run) {
   const bool isRequested =
       scene.isSublist("Output") && scene.sublist("Output").isType<bool>("Checkpoint") && scene.sublist("Output").get<bool>("Checkpoint");
   std::vector<std::string> names{kFields, "contact_0000.vtkhdf"};
-  if (!run.steps.empty()) names = {"fields.vtkhdf.series", "contact.vtkhdf.series", "steps.csv"};
+  if (!run.steps.empty()) names = {"fields.vtkhdf.series", "contact.vtkhdf.series", "steps.csv", "frames.csv", "rigid_groups.csv"};
   // A valid run leaves the checkpoint of an earlier run in place.
   if (!run.steps.empty() || !run.solution.isValid() || isRequested) names.emplace_back(kCheckpoint);
   names.insert(names.end(), {"contact.csv", "reactions.csv"});
   for (const Probe& probe : readProbes(scene, run.model.bodies)) names.push_back(probe.fileName());
+  for (const Transmission& one : readTransmissions(scene)) names.push_back(one.fileName());
   names.insert(names.end(), {"history.csv", "summary.json"});
   return names;
 }

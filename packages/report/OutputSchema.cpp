@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <suture/report/OutputSchema.hpp>
 #include <suture/report/answers/Probes.hpp>
+#include <suture/report/answers/Transmissions.hpp>
 
 namespace suture {
 
@@ -53,7 +54,9 @@ Schema outputSchema() {
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
                     "Factor by which suture_plot enlarges the displacements; Automatic: to about a twentieth of the model size, "
                     "at most such that no gap or hole closes in the picture; with Motion = Moving 1.")
-      .list("Probes", Schema("Tables of values at points, along lines and on groups, named by the user.").each("<probe>", probeSchema()));
+      .list("Probes", Schema("Tables of values at points, along lines and on groups, named by the user.").each("<probe>", probeSchema()))
+      .list("Transmissions", Schema("Tables of how one rigid group follows another, named by the user; needs Load Steps.")
+                                 .each("<transmission>", transmissionSchema()));
 }
 
 std::string outputFolder(const SceneFile& scene) {

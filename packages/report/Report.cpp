@@ -10,6 +10,7 @@
 #include <suture/report/Summary.hpp>
 #include <suture/report/answers/Probes.hpp>
 #include <suture/report/answers/Tables.hpp>
+#include <suture/report/answers/Transmissions.hpp>
 
 namespace suture {
 namespace {
@@ -21,8 +22,10 @@ bool wants(const Parameters& scene, const char* choice) {
 
 const char* const fieldFiles[] = {"fields_0000.vtkhdf", "contact_0000.vtkhdf"};
 const char* const tables[] = {"contact.csv", "reactions.csv", "steps.csv"};
-bool isProbe(const std::string& name) {
-  return name.rfind("probe_", 0) == 0 && name.size() > 4 && name.compare(name.size() - 4, 4, ".csv") == 0;
+/// Files whose names contain names of the scene.
+bool isNamedTable(const std::string& name) {
+  return (name.rfind("probe_", 0) == 0 || name.rfind("transmission_", 0) == 0) && name.size() > 4 &&
+         name.compare(name.size() - 4, 4, ".csv") == 0;
 }
 
 /// A folder in the output folder for incomplete files; its remaining content is removed at the end. Collective except its destructor.
@@ -60,9 +63,9 @@ class Staging {
       names.insert({fieldFiles[0], fieldFiles[1]});
       removeStepFields(folder.string(), 0);
     }
-    for (const std::filesystem::path& place : {folder, path_})  // probes of an earlier run and of this one
+    for (const std::filesystem::path& place : {folder, path_})  // tables of an earlier run and of this one
       for (const auto& entry : std::filesystem::directory_iterator(place, error))
-        if (isProbe(entry.path().filename().string())) names.insert(entry.path().filename().string());
+        if (isNamedTable(entry.path().filename().string())) names.insert(entry.path().filename().string());
     for (const std::string& name : names) {
       if (std::filesystem::exists(path_ / name, error))
         move(name);
@@ -106,6 +109,7 @@ Written writeReport(const Run& run, ExitCode code) {
     collectivelyOnRoot(run.comm, "writing history.csv", [&] {
       writeHistory(run.monitor.rows(), staging / "history.csv");
       if (!run.steps.empty()) writeSteps(run.steps, run.contactsOfPath, staging / tables[2]);
+      writeTransmissions(run.steps, readTransmissions(*run.scene.parameters), staging.path().string());
     });
   }
   Written written{{}, runFigures(run)};

@@ -11,6 +11,7 @@
 #include <suture/report/RunRecord.hpp>
 #include <suture/report/Summary.hpp>
 #include <suture/report/answers/Answers.hpp>
+#include <suture/report/answers/Transmissions.hpp>
 
 using Json = nlohmann::ordered_json;
 
@@ -272,6 +273,8 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
     if (run.accuracy) summary["accuracy"] = accuracy(*run.accuracy);
     if (answer.bound) summary["bound"] = bound(*answer.bound, run.accuracy ? &*run.accuracy : nullptr);
     if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
+    const std::vector<Transmission> transmissions = readTransmissions(parameters);
+    if (!transmissions.empty()) summary["transmissions"] = transmissionsJson(run.steps, transmissions);
     // Text that is not UTF-8 (a title in Latin-1) must not make the results unwritable.
     text = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   });

@@ -10,6 +10,7 @@
 #include <suture/report/Summary.hpp>
 #include <suture/report/answers/Probes.hpp>
 #include <suture/report/answers/SingularNotes.hpp>
+#include <suture/report/answers/Transmissions.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/NestedLevels.hpp>
@@ -127,6 +128,7 @@ CheckedScene check(PartitionedScene partitioned) {
   });
   OverlapNotes overlaps = timed(parts.run.timers(), "partition", [&] { return OverlapNotes(comm, parts.cut.meshes, scene); });
   locateProbes(comm, parts.cut.meshes, scene.model.bodies, readProbes(scene.settings(), scene.model.bodies));
+  readTransmissions(scene.settings());
   checkExactSolution(comm, parts.cut.meshes, scene.model, scene.settings().sublist("Contact"));
   const double limit = scene.settings().sublist("Subdomain").get<double>("Memory Limit");
   parts.megabytes = checkMemory(comm, partitioned.method_->megabytes(comm, parts.cut.meshes, parts.size.dofs), limit);

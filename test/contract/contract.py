@@ -11,7 +11,7 @@ import re
 import jsonschema
 
 SCHEMAS = pathlib.Path(__file__).resolve().parents[2] / "doc" / "schema"
-TABLES = ("history", "rigid_groups", "steps", "contact", "reactions", "frames", "probe", "comparison")
+TABLES = ("history", "rigid_groups", "steps", "contact", "reactions", "frames", "probe", "transmission", "comparison")
 
 
 def schema(name):
@@ -154,7 +154,7 @@ def folderProblems(folder):
     if summary is None:
         return []  # no finished run here
     for path in sorted(folder.glob("*.csv")):
-        kind = "probe" if path.name.startswith("probe_") else path.stem
+        kind = next((named for named in ("probe", "transmission") if path.name.startswith(named + "_")), path.stem)
         problems += tableProblems(path, kind, summary) if kind in TABLES else [f"{path.name}: a table without a schema"]
     return problems
 

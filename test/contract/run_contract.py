@@ -85,7 +85,7 @@ solve("plugin", scene("two_blocks"), "--plugin", options.plugin)
 solve("groups", scene("two_blocks"), *setting("Formulation", "Condensed Groups"), *setting("Outer Solver/Type", "Successive Approximation"),
       *setting("Outer Solver/Maximum Iterations", 20), *setting("Preconditioner/Type", "Neumann-Neumann"))
 solve("rigid_group", HERE.parent / "drivers" / "rigid_end.xml")
-solve("moving", scene("hinge"), *setting("Load Steps/Times", "{1, 2}"))
+solve("moving", scene("screw"), *setting("Load Steps/Times", "{1, 2}"))
 solve("bodies_loose", HERE.parent / "drivers" / "unloaded_pad.xml")
 solve("shared_forces", HERE.parent / "drivers" / "bond.xml")
 solve("not_converged", scene("friction_block"), *setting("Outer Solver/Maximum Iterations", 2))

@@ -129,6 +129,21 @@ check("groups: values", all(math.isclose(a, b, rel_tol=1e-12, abs_tol=1e-12) for
                             for a, b in zip([*times, *values], [part for parts in found.get(label, {}).get(name, ([], [])) for part in parts], strict=True)), True)
 (caption,) = [picture.caption for picture in pictures(RunFolder(block)) if picture.name == "steps"]
 check("groups: in the caption", "rigid groups" in caption, True)
+
+# The error of a transmission is not zero at the beginning.
+transmission = block / "transmission_gear_1_2.csv"
+transmission.write_text("step,time,driving,driven,error,driving_load,driven_load\n" +
+                        "".join(f"{number + 1},{time},0,0,{0.5 + number},0,0\n" for number, time in enumerate(TIMES)))
+figure, left_out = steps_figure(RunFolder(block))
+check("transmission: labels", faults(figure), [])
+lines = {line.get_label(): tuple(map(list, line.get_data())) for axes in figure.axes if axes.get_ylabel() == "error [rad]" for line in axes.lines
+         if not line.get_label().startswith("_")}
+check("transmission: panel", lines, {"transmission gear_1_2": (list(TIMES), [0.5 + number for number in range(len(TIMES))])})
+transmission.write_text("step,time\n1,1\n")
+code, said = forked(options.plot, block)
+check("transmission: damaged", (code, "transmission_gear_1_2.csv is damaged" in said, "Traceback" in said), (3, True, False))
+transmission.unlink()
+
 good = (block / "rigid_groups.csv").read_text()
 for name, text in (("a word", good.replace("30.0", "much", 1).replace("6.0", "much", 1)), ("no column", good.replace("rotation_z", "angle", 1)),
                    ("cut off", good[:len(good) // 2])):

@@ -36,7 +36,7 @@ def pictures(run, factor=None, zoom=None, view=None, cut=None):
     if run.steps:
         figure, left_out = steps_figure(run)
         of_groups = (" rotation and moment of rigid groups that turn, travel and force of those that move along (the component with the largest value),"
-                     if run.groups else "")
+                     if run.groups else "") + (" transmission errors," if run.transmissions else "")
         yield Picture("steps", "steps", f"Contact forces on side B,{of_groups} states of the pairs at the end of each load step, and accumulated work, over "
                       "time." + note_on(left_out), figure)
     if has_levels(run):

@@ -1,4 +1,4 @@
-"""Panels of steps.png on rigid groups: rotation with moment of those that turn, travel with force of those that move along."""
+"""Panels of steps.png on rigid groups: rotation with moment of those that turn, travel with force of those that move along; transmission errors."""
 import csv
 
 import numpy as np
@@ -52,3 +52,32 @@ def group_panels(run):
         if lines:
             panels.append((label.format(**units), lines))
     return panels, left_out
+
+
+def transmission_tables(folder):
+    """{name of the file without its beginning: (times, errors)} of transmission_<name>.csv"""
+    tables = {}
+    for path in sorted(folder.glob("transmission_*.csv")):
+        try:
+            with open(path, newline="", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            tables[path.stem[len("transmission_"):]] = tuple(np.array([float(row[column]) for row in rows]) for column in ("time", "error"))
+        except (KeyError, TypeError, ValueError) as error:
+            raise PlotError(f"{path} is damaged: {error}") from error
+    return tables
+
+
+def transmission_panels(run):
+    """As group_panels(): one panel per transmission, in whose axis label is its unit."""
+    settings = ((run.summary.get("parameters") or {}).get("Output") or {}).get("Transmissions") or {}
+    turning = {safe(name): str(one.get("Driven Motion", "")).startswith("Rotation") for name, one in settings.items() if isinstance(one, dict)}
+    panels = []
+    for (name, (times, errors)), colour in zip(run.transmissions.items(), LINES):
+        unit = "rad" if turning.get(name, True) else run.length_unit
+        panels.append((f"error [{unit}]", [(f"transmission {name}", "", times, errors, colour)]))
+    return panels
+
+
+def safe(name):
+    """The name as it is in the name of the file."""
+    return "".join(c if c.isascii() and (c.isalnum() or c == "-") else "_" for c in name)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from .grid import Grid, looked_up
-from .rigid_groups import group_tables
+from .rigid_groups import group_tables, transmission_tables
 from .style import PlotError
 from .summary import read_summary
 
@@ -31,6 +31,7 @@ class RunFolder:
         self.summary = self._summary(folder)
         self.steps = step_table(self.folder / "steps.csv") if self.summary.get("load_steps") else {}
         self.groups = group_tables(self.folder / "rigid_groups.csv") if self.steps else {}
+        self.transmissions = transmission_tables(self.folder) if self.steps else {}
         self.step = self._step(step)
         # A run without fields may share the folder with fields of an earlier run.
         wanted = self.parameter("Output", "Fields", default=True) is not False

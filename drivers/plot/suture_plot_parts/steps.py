@@ -3,7 +3,7 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .friction import SLIP, STICK
-from .rigid_groups import group_panels
+from .rigid_groups import group_panels, transmission_panels
 from .style import GREY, LINES, PALETTE, headline, shortened, with_panels, wrapped
 
 CLOSED = "#cfe0ee"
@@ -17,6 +17,7 @@ def steps_figure(run):
     names, left_out = contacts(run)
     axes_named = [axis for axis in "xyz"[:run.dimension] if any(np.any(force(table, name, axis)) for name in names)]
     of_groups, groups_left_out = group_panels(run)
+    of_groups = of_groups + transmission_panels(run)
     panels = len(axes_named) + len(of_groups) + 2
     figure, axes = with_panels(panels, 1, (7.0, 1.75 * panels + 1.0), sharex=True, squeeze=False)
     axes = axes[:, 0]
@@ -28,7 +29,8 @@ def steps_figure(run):
         legend(axes[0], min(len(names), SEVERAL))
     for axis, (label, lines) in zip(axes[len(axes_named):], of_groups):
         for name, component, times, values, colour in lines:
-            line(axis, {**table, "time": times}, values, colour, f"{shortened(name)}, {component}")
+            begins_at_zero = not name.startswith("transmission ")
+            line(axis, {**table, "time": times}, values, colour, shortened(name) + (f", {component}" if component else ""), starts=begins_at_zero)
         axis.set_ylabel(label)
         legend(axis, min(len(lines), SEVERAL))
     states(axes[-2], table, run.summary["contact"].get("pairs", 0))
@@ -55,10 +57,10 @@ def force(table, name, axis):
     return table[f"force {name} {axis}"]
 
 
-def line(axis, table, values, colour, label, style="-"):
-    """Starts from zero at time 0, if the path begins there."""
+def line(axis, table, values, colour, label, style="-", starts=True):
+    """`starts`: from zero at time 0, if the path begins there."""
     times = table["time"]
-    if abs(times[0] - table["length"][0]) <= 1e-9 * times[0]:
+    if starts and abs(times[0] - table["length"][0]) <= 1e-9 * times[0]:
         times, values = np.concatenate([[0.0], times]), np.concatenate([[0.0], values])
     axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
     axis.plot(times, values, color=colour, ls=style, marker="o" if len(times) <= MOST_MARKS else None, ms=3, label=label)
