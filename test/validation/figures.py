@@ -12,6 +12,7 @@ import numpy as np
 
 import comparisons
 import curves
+import moving_figures
 import paths
 from runfiles import contact, fields, hooke, linearTriangles, ofBodies, rotation, summary, turned
 
@@ -349,7 +350,8 @@ def vtk_quadrilateralArea(folder, _):
 def figure(name, folder, reference=None, **options):
     """The figure "case.name" of the run in `folder`."""
     own = name.replace(".", "_")
-    function = getattr(sys.modules[__name__], own, None) or getattr(comparisons, own, None) or getattr(paths, own, None)
+    places = (sys.modules[__name__], comparisons, paths, moving_figures)
+    function = next((getattr(place, own) for place in places if hasattr(place, own)), None)
     if function is None:
-        raise KeyError(f"none of figures.py, comparisons.py and paths.py has {name}")
+        raise KeyError(f"none of figures.py, comparisons.py, paths.py and moving_figures.py has {name}")
     return function(folder, reference, **options)
