@@ -59,7 +59,7 @@ for angle in (0.0, 0.3, 1.0, 3.0, 100.0):
         still = float(rows[-1]["external_work"])
     first = first or own
     check(f"turned by {angle}: the path is solved", code, 0)
-    check(f"turned by {angle}: forces turn along", max(abs(a - b) for a, b in zip(own, first)) / abs(first[1]), lambda part: part < 1e-9)
+    check(f"turned by {angle}: forces turn along", max(abs(a - b) for a, b in zip(own, first)) / abs(first[1]), lambda part: part < 1e-12)
     check("frames", max(abs(float(row["rotation_z"]) - angle) for row in frames), lambda apart: apart < 1e-10)
 
 # Stresses in the axes of the body do not see that it turns.
