@@ -26,13 +26,15 @@ SubdomainExchange::SubdomainExchange(const Comm& comm, const std::vector<Subdoma
     shared_.emplace_back();
     keys_.emplace_back();
     std::set<int> ranks{comm.getRank()};  // including this rank, so that all ranks add the same numbers in the same order
+    // A subdomain also holds the masters of its rigid groups, at which it may have no patches: ranks are neighbours by nodes, so that both
+    // expect a message.
+    for (int node = 0; node < meshes[i].nodes(); ++node)
+      for (const int other : meshes[i].others(node)) ranks.insert(rankOf.at(other));
     for (std::size_t p = 0; p < patches[i]->all.size(); ++p) {
       const VertexPatches::Patch& patch = patches[i]->all[p];
-      const auto others = meshes[i].others(patch.node);
-      if (others.empty()) continue;
+      if (meshes[i].others(patch.node).empty()) continue;
       shared_.back().push_back(static_cast<int>(p));
       keys_.back().push_back({meshes[i].globalNodes[patch.node], patch.young, patch.poisson, patch.material});
-      for (const int other : others) ranks.insert(rankOf.at(other));
     }
     for (const int rank : ranks) toRanks_[rank].push_back(static_cast<int>(i));
   }
