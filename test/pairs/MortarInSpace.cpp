@@ -5,6 +5,7 @@
 #include <suture/pairs/ContactPairs.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "SpaceScenes.hpp"
@@ -80,6 +81,36 @@ Point meanPlace(const Mesh& mesh, const ContactPair& pair, bool onA) {
   for (const PairEnd& end : pair.ends)
     if ((mesh.bodyOfNode[end.node] == 0) == onA) mean = plus(mean, scaled(onA ? end.weight : -end.weight, mesh.point(end.node)));
   return mean;
+}
+
+// Bodies that move far: a load bends flat faces, which stay flat faces. The same side carries as before.
+TEUCHOS_UNIT_TEST(MortarInSpace, IsCarriedByTheSameSideAfterALoad) {
+  Mesh mesh = facing(Cell::Hexahedron8, 2, 1, Cell::Hexahedron8, 5, 4, 0.0);
+  const auto carrier = [&] { return mesh.bodyOfNode[pairsOf(mesh, mortar()).pairs.front().node()]; };
+  const int before = carrier();
+  mesh.drawn = mesh.coordinates;
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const Point p = mesh.point(node);
+    mesh.coordinates[3 * node + 2] += 1e-4 * std::sin(3 * p[0]) * std::cos(2 * p[1]);
+  }
+  TEST_EQUALITY(carrier(), before);
+}
+
+// The edge of a tilted block touches a flat: it presses and slides along the normal and the plane of the flat.
+TEUCHOS_UNIT_TEST(MortarInSpace, TakesTheNormalOfTheOtherFaceAtAnEdge) {
+  Mesh mesh = facing(Cell::Hexahedron8, 7, 6, Cell::Hexahedron8, 3, 2, 0.0);
+  move(mesh, 0, [](Point p) { return Point{3 * p[0] - 2, 3 * p[1] - 1.5, p[2]}; });
+  const Turned tilt({0, 1, 0}, -0.3);
+  move(mesh, 1, [&](Point p) { return tilt(p); });
+  Contact contact = mortar();
+  contact.carrier = Contact::Carrier::SideB;
+  int atEdge = 0;
+  for (const ContactPair& pair : pairsOf(mesh, contact).pairs) {
+    if (std::abs(mesh.point(pair.node())[0]) > 1e-12) continue;
+    ++atEdge;
+    TEST_FLOATING_EQUALITY(std::abs(pair.normal[2]), 1.0, 1e-12);
+  }
+  TEST_EQUALITY(atEdge, 3);
 }
 
 // Gaps of touching sides are round-off of the coordinates wherever the scene is and however it is turned: they are zero. A drawn gap of a

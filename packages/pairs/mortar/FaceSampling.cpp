@@ -7,22 +7,23 @@ namespace suture {
 
 namespace {
 
-constexpr double kAcross = 0.5;         // cosine of the angle up to which two normals are opposite
-constexpr double kEdgeOn = 1e-6;        // cosine of the angle between a normal and a line up to which the line does not cross
-constexpr double kAntiparallel = 1e-9;  // sine of the angle up to which two sides are parallel
-constexpr double kSnap = 1e-12;         // distance of a corner from an edge up to which it lies on the edge, relative to the facet
-constexpr double kRound = 1e-15;        // the same relative to the coordinates
-constexpr double kBeyond = 1e-9;        // distance beyond an edge up to which a node counts as opposite to a facet, relative to the facet
-constexpr double kWithin = 1e-9;        // fraction of a distance at both of its ends where a facet does not count as between them
-constexpr double kLayered = 1e-9;       // area of intersections in excess of that of the facet, relative to it
+constexpr double kAcross = 0.5;    // cosine of the angle up to which two normals are opposite
+constexpr double kEdgeOn = 1e-6;   // cosine of the angle between a normal and a line up to which the line does not cross
+constexpr double kSnap = 1e-12;    // distance of a corner from an edge up to which it lies on the edge, relative to the facet
+constexpr double kRound = 1e-15;   // the same relative to the coordinates
+constexpr double kBeyond = 1e-9;   // distance beyond an edge up to which a node counts as opposite to a facet, relative to the facet
+constexpr double kWithin = 1e-9;   // fraction of a distance at both of its ends where a facet does not count as between them
+constexpr double kLayered = 1e-9;  // area of intersections in excess of that of the facet, relative to it
 constexpr int kCurvedDegree = 5, kMostDegree = 10;  // quadrature degrees: on curved faces, on distorted sides
 constexpr double kDistorted = 1e-9;                 // relative size of the neglected terms of integrands
 
 std::vector<MortarFace> facesOf(const Mesh& mesh, const ContactSurface& contact, bool onA) {
   const Surface& surface = *(onA ? contact.a : contact.b).surface;
+  const std::map<int, Point> drawn = mesh.drawn.empty() ? std::map<int, Point>() : MortarFace::drawnNormals(surface);
   std::vector<MortarFace> all;
   for (int side = 0; side < surface.sides(); ++side)
-    all.emplace_back(surface, side, contact.sideOfBody(mesh.bodyOfNode[surface.nodesOf(side)[0]], onA));
+    all.emplace_back(surface, side, contact.sideOfBody(mesh.bodyOfNode[surface.nodesOf(side)[0]], onA),
+                     mesh.drawn.empty() ? nullptr : &drawn);
   return all;
 }
 
@@ -113,6 +114,8 @@ std::vector<FaceSampling::Facet> FaceSampling::facetsOf(const std::vector<Mortar
 
 FaceSampling::FaceSampling(const Mesh& mesh, const ContactSurface& contact, bool onA)
     : contact_(contact),
+      surface_(*(onA ? contact.a : contact.b).surface),
+      rim_(rimOf(surface_)),
       share_(onA ? contact.shareOfA() : 1 - contact.shareOfA()),
       own_(facesOf(mesh, contact, onA)),
       other_(facesOf(mesh, contact, !onA)),
@@ -173,7 +176,7 @@ double FaceSampling::tolerance(const Facet& facet) const {
   return kSnap * size + kRound * norm(facet.points[0]);
 }
 
-Point FaceSampling::meanNormal(int side, int node) const {
+Point FaceSampling::rowNormal(int side, int node) const {
   const MortarFace& own = own_[side];
   const Point &normal = own.normal(node), from = own.points()[node];
   const Projection projection(normal, from);
@@ -197,8 +200,8 @@ Point FaceSampling::meanNormal(int side, int node) const {
     least = gap;
   }
   if (!nearest) return normal;
-  const Point facing = nearest->normalAt(at);
-  return norm(cross(normal, facing)) > kAntiparallel ? unit(minus(normal, facing)) : normal;
+  const bool isOnRim = std::binary_search(rim_.begin(), rim_.end(), surface_.nodesOf(side)[node]);
+  return rowNormalOf(normal, nearest->normalAt(at), isOnRim);
 }
 
 /// Adds the intersections of a facet with the opposite facets.

@@ -27,7 +27,7 @@ class FaceSampling : public MortarSampling {
   FaceSampling& operator=(const FaceSampling&) = delete;
 
   int functions(int side, bool whole) const override;
-  Point meanNormal(int side, int node) const override;
+  Point rowNormal(int side, int node) const override;
   MortarSamples sample(int side, const Point& normal) const override;
   std::optional<double> covered(int side, const Point& normal) const override;
   bool isFaceted() const override;
@@ -71,7 +71,9 @@ class FaceSampling : public MortarSampling {
                  const std::vector<const Facet*>& rivals) const;
 
   const ContactSurface& contact_;
-  double share_;  // fraction of the change of curvature that the carrying side takes where both are pressed together
+  const Surface& surface_;
+  std::vector<int> rim_;  // nodes of surface_, ascending
+  double share_;          // fraction of the change of curvature that the carrying side takes where both are pressed together
   std::vector<MortarFace> own_, other_;
   std::vector<SmoothFace> ownSmooth_, otherSmooth_;
   std::vector<Facet> ownFacets_, facets_;  // facets_: of the other face

@@ -11,8 +11,6 @@ namespace {
 using Segment = MortarSegment;
 using Geometry = ContactSurface::Geometry;
 
-constexpr double kOpposite = 1e-9;  // sine of the angle up to which two sides are parallel
-
 /// Sets the change of curvature along each second-order element: the smaller of the differences to its neighbours, which is zero next to
 /// the joint of a line and an arc.
 void findChanges(const Surface& surface, std::vector<Segment>& all) {
@@ -49,6 +47,7 @@ LineSampling::LineSampling(const Mesh& mesh, const ContactSurface& contact, bool
     : mesh_(mesh),
       contact_(contact),
       surface_(*(onA ? contact.a : contact.b).surface),
+      rim_(rimOf(surface_)),
       share_(onA ? contact.shareOfA() : 1 - contact.shareOfA()),
       own_(segmentsOf(mesh, contact, onA)),
       other_(segmentsOf(mesh, contact, !onA)),
@@ -82,13 +81,13 @@ LineSampling::Nearer LineSampling::nearer(const Segment& own, double xi, const S
   return result;
 }
 
-Point LineSampling::meanNormal(int side, int node) const {
+Point LineSampling::rowNormal(int side, int node) const {
   const Segment& own = own_[side];
   const Point &normal = own.normal(node), from = own.point(node);
   const auto met = segmentation_.nearest(from, normal, own.body());
   if (!met) return normal;
-  const Point facing = met->other->normalAt(met->eta);
-  return norm(cross(normal, facing)) > kOpposite ? unit(minus(normal, facing)) : normal;
+  const bool isOnRim = std::binary_search(rim_.begin(), rim_.end(), surface_.nodesOf(side)[node]);
+  return rowNormalOf(normal, met->other->normalAt(met->eta), isOnRim);
 }
 
 MortarSamples LineSampling::sample(int side, const Point& normal) const {

@@ -22,7 +22,7 @@ class LineSampling : public MortarSampling {
 
   /// The number of nodes of the side where it is covered entirely, else two: a quadratic stress is not positive on part of a side.
   int functions(int side, bool whole) const override { return whole ? own_[side].count() : 2; }
-  Point meanNormal(int side, int node) const override;
+  Point rowNormal(int side, int node) const override;
   MortarSamples sample(int side, const Point& normal) const override;
   bool isFaceted() const override;
   bool estimatesDoubt() const override { return true; }
@@ -36,7 +36,8 @@ class LineSampling : public MortarSampling {
   const Mesh& mesh_;
   const ContactSurface& contact_;
   const Surface& surface_;
-  double share_;  // fraction of the change of curvature that the carrying side takes where both are pressed together
+  std::vector<int> rim_;  // nodes of surface_, ascending
+  double share_;          // fraction of the change of curvature that the carrying side takes where both are pressed together
   std::vector<MortarSegment> own_, other_;
   Segmentation segmentation_;
   LineRule rule_;

@@ -40,7 +40,23 @@ double Projection::wayTo(const Point& on, const Point& area, const PlanePoint& p
   return dot(arm, area) / dot(along, area);
 }
 
-MortarFace::MortarFace(const Surface& surface, int side, int body)
+std::map<int, Point> MortarFace::drawnNormals(const Surface& surface) {
+  std::map<int, Point> all;
+  for (int side = 0; side < surface.sides(); ++side) {
+    const std::vector<int>& nodes = surface.nodesOf(side);
+    std::vector<Point> points;
+    for (const int node : nodes) points.push_back(surface.at(node).drawn);
+    const std::vector<NodeNormal> normals = nodeNormals(points, surface.dimension());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      Point& sum = all.try_emplace(nodes[i], Point{0, 0, 0}).first->second;
+      sum = plus(sum, scaled(normals[i].weight, normals[i].density));
+    }
+  }
+  for (auto& entry : all) entry.second = unit(entry.second);
+  return all;
+}
+
+MortarFace::MortarFace(const Surface& surface, int side, int body, const std::map<int, Point>* drawn)
     : cell_(sideCell(static_cast<int>(surface.nodesOf(side).size()))), body_(body) {
   double size = 0;
   for (const int node : surface.nodesOf(side)) {
@@ -62,7 +78,10 @@ MortarFace::MortarFace(const Surface& surface, int side, int body)
   if (corners == 4) distortion_ = norm(minus(plus(points_[0], points_[2]), plus(points_[1], points_[3]))) / size;
   if (count == 9) distortion_ = std::max(distortion_, norm(minus(scaled(2, points_[8]), plus(points_[0], points_[2]))) / size);
   if (distortion_ <= kStraightEdge) distortion_ = 0.0;
-  curved_ = std::any_of(normals_.begin(), normals_.end(), [&](const Point& normal) { return angleBetween(normal, normals_[0]) > kFlat; });
+  // A property of the drawn element: while bodies move, loads bend flat faces by more than this angle.
+  std::vector<Point> shape = normals_;
+  for (std::size_t i = 0; drawn && i < shape.size(); ++i) shape[i] = drawn->at(surface.nodesOf(side)[i]);
+  curved_ = std::any_of(shape.begin(), shape.end(), [&](const Point& normal) { return angleBetween(normal, shape[0]) > kFlat; });
 }
 
 Point MortarFace::normalAt(const ReferencePoint& at) const {

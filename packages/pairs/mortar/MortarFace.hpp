@@ -7,6 +7,7 @@
 #include <suture/pairs/mortar/ShapeValues.hpp>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,7 +34,10 @@ class Projection {
 class MortarFace {
  public:
   /// \param body  body of the element, where needed
-  MortarFace(const Surface& surface, int side, int body = -1);
+  /// \param drawn  see drawnNormals(); null: the surface is as drawn
+  MortarFace(const Surface& surface, int side, int body = -1, const std::map<int, Point>* drawn = nullptr);
+  /// Normals of a surface on the drawn bodies, by node.
+  static std::map<int, Point> drawnNormals(const Surface& surface);
 
   Cell cell() const { return cell_; }
   int body() const { return body_; }
@@ -51,7 +55,7 @@ class MortarFace {
   /// Flat facets between its nodes that represent it where elements are intersected: the element itself if its edges are straight, else the
   /// linear parts between all of its nodes. By local numbers.
   const std::vector<std::vector<int>>& facets() const { return facets_; }
-  /// True if the normals of the face at the nodes of the element differ.
+  /// True if the normals of the drawn face at the nodes of the element differ.
   bool isCurved() const { return curved_; }
   /// True if its edges are straight and mid-side nodes are in the middle.
   bool isStraight() const { return straight_; }

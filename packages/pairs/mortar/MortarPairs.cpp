@@ -35,7 +35,7 @@ class Mortar {
     for (int side = 0; side < surface_.sides(); ++side) {
       const int carriers = sampling_->functions(side, true);
       for (int j = 0; j < carriers; ++j)
-        if (const int node = surface_.nodesOf(side)[j]; !rowNormals_.count(node)) rowNormals_[node] = sampling_->meanNormal(side, j);
+        if (const int node = surface_.nodesOf(side)[j]; !rowNormals_.count(node)) rowNormals_[node] = sampling_->rowNormal(side, j);
     }
   }
 

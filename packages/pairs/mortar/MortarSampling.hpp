@@ -30,6 +30,13 @@ struct MortarSamples {
   bool isWhole() const { return covered > 1 - 1e-8; }
 };
 
+/// Nodes of a face's facets that have no neighbour, ascending: where the face ends. Local.
+std::vector<int> rimOf(const Surface& surface);
+/// Normal of the condition at a node: the mean of the two faces' outward normals, or the own one if they are antiparallel. On the rim of
+/// the own face only the other normal counts: a body usually ends there at an edge, which has no normal, and otherwise both normals agree
+/// where smooth faces touch. Local. \param own, facing  at the node, and where the other face is opposite to it
+Point rowNormalOf(const Point& own, const Point& facing, bool isOnRim);
+
 /// Points at which the conditions of a mortar compare the carrying face with the other, in 2D and 3D. Implementations: two lines
 /// (LineSampling), two surfaces (FaceSampling), a surface and an obstacle (ObstacleSampling). Sides are numbered as in the surfaces. Local.
 class MortarSampling {
@@ -38,9 +45,8 @@ class MortarSampling {
 
   /// Number of multiplier functions on a side, one for each of its first nodes. \param whole  the other face covers the whole side
   virtual int functions(int side, bool whole) const = 0;
-  /// Mean of the two faces' normals at a node of a side, outward; the side's own normal if nothing is opposite or the other normal is
-  /// parallel.
-  virtual Point meanNormal(int side, int node) const = 0;
+  /// Normal of the condition at a node of a side, outward; the side's own normal if nothing is opposite.
+  virtual Point rowNormal(int side, int node) const = 0;
   /// Quadrature points of a side along one direction, split wherever a side of the other face begins.
   virtual MortarSamples sample(int side, const Point& normal) const = 0;
   /// Covered fraction of a side, where this is cheaper than sample(); otherwise nothing.

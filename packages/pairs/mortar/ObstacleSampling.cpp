@@ -8,7 +8,7 @@ ObstacleSampling::ObstacleSampling(const ContactSurface& contact) : contact_(con
 
 int ObstacleSampling::functions(int side, bool) const { return own_[side].multipliers(contact_.multipliers); }
 
-Point ObstacleSampling::meanNormal(int side, int node) const {
+Point ObstacleSampling::rowNormal(int side, int node) const {
   const MortarFace& own = own_[side];
   return contact_.direction == Contact::Direction::Side ? own.normal(node) : contact_.obstacle->from(own.points()[node]).normal;
 }

@@ -14,7 +14,7 @@ class ObstacleSampling : public MortarSampling {
 
   int functions(int side, bool whole) const override;
   /// Normal of the pairs at the node: that of the obstacle or of the side (Contact::Direction).
-  Point meanNormal(int side, int node) const override;
+  Point rowNormal(int side, int node) const override;
   MortarSamples sample(int side, const Point& normal) const override;
 
  private:
