@@ -75,6 +75,21 @@ check("pushed: all steps", (code, summary["verified"]), (0, True))
 check("pushed: Coulomb", force(rows[-1])[0] / -force(rows[-1])[1], near(0.2, 1e-5))
 check("pushed: stays upright", motion(frames, "block", "rotation_z"), near(0, 1e-4))
 
+# Tilted while it is drawn over the base: its edge slides along the base, so that Coulomb's law holds about the normal of the base.
+for name, contact in (("block", []), ("base", [*setting("Contact/joint/Side A", "base_top"), *setting("Contact/joint/Side B", "block_bottom")])):
+    code, _, summary, rows, frames = solve(f"tilted_{name}", scene("rocking_block"), *setting("Contact/joint/Coulomb/Coefficient", 0.3),
+                                           *setting("Boundary Conditions/push/Rotation z", -0.2), *setting("Load Steps/Times", "{1, 5, 9}"), *contact)
+    check(f"tilted block: all steps, side A {name}", (code, summary["verified"], abs(motion(frames, "block", "rotation_z") + 0.2) < 1e-4), (0, True, True))
+    check(f"tilted block: Coulomb, side A {name}", abs(force(rows[-1])[0] / force(rows[-1])[1]), near(0.3, 1e-3))
+
+# Cut into more parts, which exchange nodes of the rigid group on the way: the same work.
+whole = float(solve("rocking_whole", scene("rocking_block"))[3][-1]["external_work"])
+for ranks in (1, 3):
+    code, _, summary, rows, _ = solve(f"rocking_parts_{ranks}", scene("rocking_block"), *setting("Partition/Type", "METIS"),
+                                      *setting("Partition/METIS/Subdomains", 15), ranks=ranks)
+    check("rocking in parts: all steps", (code, summary["verified"], len(rows)), (0, True, 10))
+    check("rocking in parts: work", float(rows[-1]["external_work"]) / whole - 1, near(0, 1e-6))
+
 # A helicoid of pitch 6: the nut sinks by pitch * angle / (2 pi), and turns the screw by that lever of its load.
 LEVER = 6 / (2 * math.pi)
 code, _, summary, rows, frames = solve("screw", scene("screw"))

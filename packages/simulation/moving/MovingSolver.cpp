@@ -238,7 +238,10 @@ Solution MovingSolver::solveRounds() {
     settling = after;
     now_ = std::move(next);
     loads_.findMoments(comm(), parts_.cut.meshes, partOfSubdomain_, parts_.scene.model, solution);
-    if (settling.isSettled()) return solution;
+    if (settling.isSettled()) {
+      findApart();
+      if (apart_.part <= kFound * accuracyOf(solution)) return solution;
+    }
     if (round < kMostRounds) continue;
     solution.converged = false;
     solution.failure = "the places of the bodies do not settle within " + std::to_string(kMostRounds) + " rounds";
@@ -255,9 +258,16 @@ std::vector<StepRow::Frame> MovingSolver::frames() const {
   return all;
 }
 
-void MovingSolver::verify(Solution& solution) const {
-  double worst = 0.0;
-  std::string where;
+double MovingSolver::accuracyOf(const Solution& solution) const {
+  return std::max(Settling::kSettled, requestedAccuracy(parts_.scene.settings(), solution));
+}
+
+/// Searches the contact pairs again between the shapes of the last round. Collective.
+void MovingSolver::findApart() {
+  double& worst = apart_.part;
+  std::string& where = apart_.where;
+  worst = 0.0;
+  where.clear();
   collectivelyOnRoot(comm(), "searching the contact pairs again", [&] {
     const double scale = Settling(extent_).scale(now_.bodies.beside().cwiseAbs().maxCoeff());
     for (const ContactPair& pair : constraints_->pairsOf(parts_.path->presentTime(), now_.bodies, now_.bodies.present())) {
@@ -273,8 +283,10 @@ void MovingSolver::verify(Solution& solution) const {
   });
   broadcastBytes(comm(), &worst, sizeof worst);
   where = broadcast(comm(), where);
-  const double tolerance = requestedAccuracy(parts_.scene.settings(), solution);
-  solution.verification.checks.push_back({"places", worst, kFound * std::max(Settling::kSettled, tolerance), where,
+}
+
+void MovingSolver::verify(Solution& solution) const {
+  solution.verification.checks.push_back({"places", apart_.part, kFound * accuracyOf(solution), apart_.where,
                                           "The shapes of the bodies have not settled: use shorter load steps"});
   for (Check& check : solution.verification.checks)
     if (check.name == nameOf(Quantity::Slide)) check.advice = kDeforms;

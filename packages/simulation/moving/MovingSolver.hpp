@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace suture {
@@ -24,7 +25,7 @@ class MovingSolver : public StepSolver {
   void restore(Solution& last) override;
   std::vector<StepRow::Frame> frames() const override;
   /// `places`: contact pairs, searched again between the shapes of the solution. A closed pair is as far apart, and an open or new one
-  /// penetrates, by at most this part of the largest displacement beside the frames.
+  /// penetrates, by at most this part of the largest displacement beside the frames; otherwise another round follows.
   void verify(Solution& solution) const override;
   bool isTooLong(const Solution& solution) const override;
   bool keepsPairs() const override { return false; }
@@ -38,7 +39,14 @@ class MovingSolver : public StepSolver {
     MovingBodies bodies;
     std::map<std::pair<int, int>, ContactState> states;  // by contact and carrying node
   };
+  /// Largest distance of closed pairs, and penetration of others, between the shapes of a round, and its place.
+  struct Apart {
+    double part = 0.0;  ///< of the largest displacement beside the frames
+    std::string where;
+  };
   Solution solveRounds();
+  void findApart();
+  double accuracyOf(const Solution& solution) const;
   void moveOn(double part);
   void place(double time);
   void takeDrawnPlaces();
@@ -57,6 +65,7 @@ class MovingSolver : public StepSolver {
   std::unique_ptr<const MovingConstraints> constraints_;  // on rank 0
   SlipHistory history_;                                   // likewise, of the accepted step
   State accepted_, now_;
+  Apart apart_;                                    // of the last round
   std::vector<MovingBodies::Motion> lastMotions_;  // likewise, by part: motions in the accepted step
   double extent_ = 0.0;                            // largest coordinate [length]
   std::vector<int> partOfSubdomain_;               // part of each subdomain of the scene; the same on all ranks
