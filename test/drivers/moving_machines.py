@@ -88,7 +88,7 @@ for ranks in (1, 3):
     code, _, summary, rows, _ = solve(f"rocking_parts_{ranks}", scene("rocking_block"), *setting("Partition/Type", "METIS"),
                                       *setting("Partition/METIS/Subdomains", 15), ranks=ranks)
     check("rocking in parts: all steps", (code, summary["verified"], len(rows)), (0, True, 10))
-    check("rocking in parts: work", float(rows[-1]["external_work"]) / whole - 1, near(0, 1e-6))
+    check("rocking in parts: work", float(rows[-1]["external_work"]) / whole - 1, near(0, 1e-4))
 
 # A helicoid of pitch 6: the nut sinks by pitch * angle / (2 pi), and turns the screw by that lever of its load.
 LEVER = 6 / (2 * math.pi)

@@ -12,6 +12,14 @@
 
 namespace suture {
 
+namespace {
+
+// Change of the moments of displaced forces in a round, relative to the sum of their magnitudes, after which the balance at the present
+// places has settled.
+constexpr double kSameMoments = 1e-3;
+
+}  // namespace
+
 void MovingLoads::place(const Comm& comm, const DrawnScene& drawn, const MovingBodies& bodies, const std::vector<SubdomainMesh>& meshes,
                         ElasticModel& model) const {
   model.loads = drawn.model.loads;
@@ -49,10 +57,10 @@ void MovingLoads::addCouples(const Comm& comm, const MovingBodies& bodies, Elast
   model.loads.push_back(std::move(load));
 }
 
-void MovingLoads::findMoments(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<int>& partOfSubdomain,
+bool MovingLoads::findMoments(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<int>& partOfSubdomain,
                               const ElasticModel& model, const Solution& solution) {
   const int parts = partOfSubdomain.empty() ? 0 : 1 + *std::max_element(partOfSubdomain.begin(), partOfSubdomain.end());
-  std::vector<double> mine(3 * static_cast<std::size_t>(parts), 0.0), all(mine.size());
+  std::vector<double> mine(3 * static_cast<std::size_t>(parts) + 1, 0.0), all(mine.size());  // the last one: sum of magnitudes
   collectively(comm, "finding moments", [&] {
     for (std::size_t s = 0; s < meshes.size(); ++s) {
       const SubdomainMesh& mesh = meshes[s];
@@ -64,12 +72,19 @@ void MovingLoads::findMoments(const Comm& comm, const std::vector<SubdomainMesh>
         const Point moment =
             cross(pointOf(solution.displacement[s].data() + at, mesh.dimension), pointOf(forces.data() + at, mesh.dimension));
         for (std::size_t k = 0; k < 3; ++k) sum[k] += moment[k];
+        mine.back() += norm(moment);
       }
     }
   });
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  moments_.resize(static_cast<std::size_t>(parts));
-  for (std::size_t part = 0; part < moments_.size(); ++part) moments_[part] = {all[3 * part], all[3 * part + 1], all[3 * part + 2]};
+  moments_.resize(static_cast<std::size_t>(parts), {0, 0, 0});
+  double change = 0.0;
+  for (std::size_t part = 0; part < moments_.size(); ++part) {
+    const Point now{all[3 * part], all[3 * part + 1], all[3 * part + 2]};
+    change = std::max(change, norm(minus(now, moments_[part])));
+    moments_[part] = now;
+  }
+  return change <= kSameMoments * all.back();
 }
 
 }  // namespace suture

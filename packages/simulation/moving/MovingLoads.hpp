@@ -19,9 +19,9 @@ class MovingLoads {
   /// rigid groups move, and forces at points stay at their nodes. Collective. \param bodies  on rank 0 \param meshes  placed subdomains
   void place(const Comm& comm, const DrawnScene& drawn, const MovingBodies& bodies, const std::vector<SubdomainMesh>& meshes,
              ElasticModel& model) const;
-  /// Finds the moments of the forces on each part about the displacements of their nodes in a solution: sum u x F. Collective.
-  /// \param partOfSubdomain  part of each subdomain of the scene
-  void findMoments(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<int>& partOfSubdomain,
+  /// Finds the moments of the forces on each part about the displacements of their nodes in a solution: sum u x F. Returns true if they
+  /// have settled. Collective. \param partOfSubdomain  part of each subdomain of the scene
+  bool findMoments(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<int>& partOfSubdomain,
                    const ElasticModel& model, const Solution& solution);
   /// Moments of the last accepted step, by part; empty: none yet.
   const std::vector<Point>& moments() const { return accepted_; }

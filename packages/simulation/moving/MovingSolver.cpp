@@ -237,8 +237,8 @@ Solution MovingSolver::solveRounds() {
     }
     settling = after;
     now_ = std::move(next);
-    loads_.findMoments(comm(), parts_.cut.meshes, partOfSubdomain_, parts_.scene.model, solution);
-    if (settling.isSettled()) {
+    const bool isBalanced = loads_.findMoments(comm(), parts_.cut.meshes, partOfSubdomain_, parts_.scene.model, solution);
+    if (settling.isSettled() && isBalanced) {
       findApart();
       if (apart_.part <= kFound * accuracyOf(solution)) return solution;
     }

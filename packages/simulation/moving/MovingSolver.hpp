@@ -65,7 +65,7 @@ class MovingSolver : public StepSolver {
   std::unique_ptr<const MovingConstraints> constraints_;  // on rank 0
   SlipHistory history_;                                   // likewise, of the accepted step
   State accepted_, now_;
-  Apart apart_;                                    // of the last round
+  Apart apart_;                                    // in the last round
   std::vector<MovingBodies::Motion> lastMotions_;  // likewise, by part: motions in the accepted step
   double extent_ = 0.0;                            // largest coordinate [length]
   std::vector<int> partOfSubdomain_;               // part of each subdomain of the scene; the same on all ranks
