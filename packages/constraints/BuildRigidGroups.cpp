@@ -1,4 +1,5 @@
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/base/RigidFrame.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/constraints/BuildRigidGroups.hpp>
@@ -22,6 +23,34 @@ Point axis(int k) {
   return direction;
 }
 
+constexpr double kAsFar = 1e-6;  // relative difference of distances between nodes, above the round-off of turned bodies, that counts
+
+/// Indices of points that are far apart: the farthest from their mean, the farthest from this one, in 3D the farthest from the line through
+/// both. The same for any position of a rigid body. Fewer if these determine the position.
+std::vector<std::size_t> spanning(const std::vector<Point>& points, int dimension) {
+  std::vector<std::size_t> chosen;
+  Point mean{0, 0, 0};
+  for (const Point& point : points) mean = plus(mean, scaled(1.0 / static_cast<double>(points.size()), point));
+  const auto distance = [&](const Point& point) {
+    if (chosen.empty()) return norm(minus(point, mean));
+    const Point from = minus(point, points[chosen.front()]);
+    if (chosen.size() == 1) return norm(from);
+    const Point line = minus(points[chosen.back()], points[chosen.front()]);
+    return norm(cross(line, from)) / norm(line);
+  };
+  double extent = 0.0;
+  for (int k = 0; k < dimension; ++k) {
+    double most = 0.0;
+    for (const Point& point : points) most = std::max(most, distance(point));
+    if (!chosen.empty() && most <= kAsFar * extent) break;
+    extent = std::max(extent, most);
+    chosen.push_back(static_cast<std::size_t>(
+        std::find_if(points.begin(), points.end(), [&](const Point& point) { return distance(point) >= (1.0 - kAsFar) * most; }) -
+        points.begin()));
+  }
+  return chosen;
+}
+
 /// One group while it is built. Its motion is given by amplitudes about the centre of its nodes, all of them lengths (RigidFrame).
 class Builder {
  public:
@@ -35,6 +64,11 @@ class Builder {
     std::vector<Point> points;
     for (const int node : group_.nodes) points.push_back(mesh.point(node));
     frame_ = RigidFrame::around(points);
+    if (!condition_.movesFar) return;
+    for (const std::size_t i : spanning(points, dimension_)) {
+      positions_.push_back(static_cast<int>(i));
+      group_.positionNodes.push_back(group_.nodes[i]);
+    }
   }
 
   /// The group, with the rules and prescribed values of its nodes. \param factors  number of factors; 0: none
@@ -110,6 +144,17 @@ class Builder {
     problems.add(condition_.path, text.str());
   }
 
+  /// Components that determine free motions best. \param moved  components of the nodes x motions
+  std::vector<int> masterRows(const Matrix& moved) const {
+    if (positions_.empty()) return pivotRows(moved);
+    Matrix own(Eigen::Index(positions_.size()) * dimension_, moved.cols());
+    for (std::size_t i = 0; i < positions_.size(); ++i)
+      own.middleRows(Eigen::Index(i) * dimension_, dimension_) = moved.middleRows(Eigen::Index(positions_[i]) * dimension_, dimension_);
+    std::vector<int> rows = pivotRows(own);
+    for (int& row : rows) row = positions_[static_cast<std::size_t>(row / dimension_)] * dimension_ + row % dimension_;
+    return rows;
+  }
+
   /// \param free  amplitudes x free motions
   void chooseMasters(const Matrix& free) {
     const auto count = static_cast<Eigen::Index>(group_.nodes.size()) * dimension_;
@@ -120,7 +165,7 @@ class Builder {
     if (moved.cols() > 0) moved = orthonormalBasis(moved, kIndependent);  // without motions that move no node
     follow_ = Matrix(count, 0);
     if (moved.cols() == 0) return;
-    const std::vector<int> pivots = pivotRows(moved);
+    const std::vector<int> pivots = masterRows(moved);
     Matrix own(moved.cols(), moved.cols());
     for (Eigen::Index m = 0; m < own.rows(); ++m) {
       masters_.push_back(pivots[static_cast<std::size_t>(m)]);
@@ -177,8 +222,9 @@ class Builder {
   RigidGroup group_;
   RigidFrame frame_;
   std::vector<Row> rows_;
-  std::vector<int> masters_;  // rows of nodal_
-  Matrix nodal_, follow_;     // components of the nodes x amplitudes, x masters
+  std::vector<int> positions_;  // indices of positionNodes; empty: any node may have masters
+  std::vector<int> masters_;    // rows of nodal_
+  Matrix nodal_, follow_;       // components of the nodes x amplitudes, x masters
 };
 
 std::vector<int> nodesOf(const Mesh& mesh, const Condition& condition) {

@@ -49,6 +49,7 @@ struct Condition {
   double normal = 0.0, tangential = 0.0;  ///< stiffness of an ElasticSupport [stress / length]
   /// Prescribed motions of a RigidGroup: displacements of its point [length], rotations about the axes; in 2D the last one about z
   std::array<std::optional<double>, 6> motions{};
+  bool movesFar = false;  ///< masters of a RigidGroup are chosen among its positionNodes
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
   /// True if it acts on side groups; otherwise it acts on whole bodies, or at a point.

@@ -23,6 +23,9 @@ struct RigidGroup {
   std::vector<int> nodes;             ///< ascending
   std::vector<int> masterNodes;       ///< node of each master
   std::vector<int> masterComponents;  ///< component of each master
+  /// On a body that moves far: two nodes, in 3D three, that determine the position of the group. The masters are among them wherever the
+  /// body is, and a subdomain with a node of the group has all of them, so that no motion changes the nodes of subdomains. Else empty.
+  std::vector<int> positionNodes;
   /// Axes of the components: Cartesian, or those of the drawn body, turned with it.
   std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::vector<double> coefficients;  ///< by node, component and master: derivative of the component; for a master itself 1 and 0
@@ -36,7 +39,7 @@ struct RigidGroup {
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.condition), each(self.point), each(self.moved), each(self.turned), each(self.nodes), each(self.masterNodes),
-        each(self.masterComponents), each(self.axes), each(self.coefficients);
+        each(self.masterComponents), each(self.positionNodes), each(self.axes), each(self.coefficients);
   }
 };
 

@@ -8,13 +8,14 @@ namespace suture {
 
 namespace {
 
-/// All subdomains that hold a node of a rigid group also hold its masters.
+/// All subdomains that hold a node of a rigid group also hold its masters, and the nodes that may have them when the body has moved.
 NodeSubdomains holdersWithMasters(const MeshShare& share, const std::vector<RigidGroup>& rigidGroups) {
   std::map<int, std::set<int>> more;  // holders of masters
   for (const RigidGroup& group : rigidGroups)
     for (const int node : group.nodes)
       for (const int s : share.holders.of(share.localNode(node)))
-        for (const int master : group.masterNodes) more[share.localNode(master)].insert(s);
+        for (const std::vector<int>* masters : {&group.masterNodes, &group.positionNodes})
+          for (const int master : *masters) more[share.localNode(master)].insert(s);
   NodeSubdomains all;
   const int nodes = static_cast<int>(share.holders.offsets.size()) - 1;
   for (int node = 0; node < nodes; ++node) {

@@ -1,9 +1,8 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
 #include <suture/constraints/ContactRows.hpp>
 #include <suture/partition/RenewConstraints.hpp>
-
-#include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
 #include <set>
@@ -53,20 +52,14 @@ std::vector<RigidGroup> ownGroups(const SubdomainMesh& mesh, const std::vector<R
       part.coefficients.insert(part.coefficients.end(), group.row(place, 0, d), group.row(place, 0, d) + d * group.masters());
     }
     if (part.nodes.empty()) continue;
-    for (int& master : part.masterNodes) master = localNode(mesh, master);
+    for (int& master : part.masterNodes) {
+      master = localNode(mesh, master);
+      if (master < 0) throw InternalError("a master of a rigid group is not in a subdomain with nodes of the group");
+    }
+    part.positionNodes.clear();
     own.push_back(std::move(part));
   }
   return own;
-}
-
-bool sameMasters(const SubdomainMesh& mesh, const std::vector<RigidGroup>& groups) {
-  const std::vector<RigidGroup>& before = mesh.rigidGroups;
-  if (groups.size() != before.size()) return false;
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    if (groups[g].condition != before[g].condition || groups[g].masterNodes != before[g].masterNodes ||
-        groups[g].masterComponents != before[g].masterComponents)
-      return false;
-  return true;
 }
 
 /// Clusters of which a subdomain holds an unknown: through a node, or through a node of a rigid group that moves, whose masters it has.
@@ -108,26 +101,19 @@ RenewedConstraints gathered(const Mesh& mesh, const Constraints& constraints) {
 
 }  // namespace
 
-bool renewConstraints(const Comm& comm, const Mesh& mesh, const Constraints& constraints, std::vector<SubdomainMesh>& meshes) {
+void renewConstraints(const Comm& comm, const Mesh& mesh, const Constraints& constraints, std::vector<SubdomainMesh>& meshes) {
   Packer packer;
   collectivelyOnRoot(comm, "renewing the constraints", [&] { packer.put(gathered(mesh, constraints)); });
   RenewedConstraints renewed;
   Unpacker(broadcast(comm, packer.bytes())).get(renewed);
-  std::vector<std::vector<RigidGroup>> groups;
-  int mine = 1, all = 0;
-  for (const SubdomainMesh& one : meshes) {
-    groups.push_back(ownGroups(one, renewed.rigidGroups));
-    mine = mine && sameMasters(one, groups.back());
-  }
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
-  if (all == 0) return false;
-  for (std::size_t s = 0; s < meshes.size(); ++s) {
-    takeOwn(meshes[s], renewed.rules, meshes[s].rules);
-    takeOwn(meshes[s], renewed.supports, meshes[s].supports);
-    meshes[s].rigidGroups = std::move(groups[s]);
-    takeContact(renewed, meshes[s]);
-  }
-  return true;
+  collectively(comm, "renewing the constraints", [&] {
+    for (SubdomainMesh& one : meshes) {
+      takeOwn(one, renewed.rules, one.rules);
+      takeOwn(one, renewed.supports, one.supports);
+      one.rigidGroups = ownGroups(one, renewed.rigidGroups);
+      takeContact(renewed, one);
+    }
+  });
 }
 
 }  // namespace suture

@@ -1,5 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/constraints/BuildRigidGroups.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 #include "ConstraintsTesting.hpp"
 
@@ -65,6 +69,44 @@ TEUCHOS_UNIT_TEST(RigidGroups, MoveAsPrescribed) {
   TEST_EQUALITY(group.masterComponents.front(), 1);
   const double own = -0.2 + 0.1 * (mesh.point(group.masterNodes.front())[0] - 1.0);
   TEST_COMPARE(apart(mesh, group, moved(guided, {own}), 0.3, -0.2, 0.1), <, 1e-14);
+}
+
+// Wherever the body is, the masters are among the same two nodes, and the group follows any rigid motion.
+TEUCHOS_UNIT_TEST(RigidGroups, KeepThePositionNodesOfTurnedBodies) {
+  const Mesh drawn = stack(1);
+  std::vector<int> first;
+  for (const std::vector<int>& prescribed : {std::vector<int>{}, {0}, {1}, {0, 1}, {0, 5}})
+    for (const double angle : {0.0, 0.3, 0.5 * std::acos(-1.0), 1.9, 77.0}) {
+      Mesh mesh = drawn;
+      for (int node = 0; node < mesh.nodes(); ++node) {
+        double* x = mesh.coordinates.data() + 2 * node;
+        const double c = std::cos(angle), s = std::sin(angle), x0 = x[0], x1 = x[1];
+        x[0] = 5.0 + c * x0 - s * x1, x[1] = s * x0 + c * x1;
+      }
+      Condition condition;
+      condition.name = condition.path = "platen";
+      condition.type = Condition::Type::RigidGroup;
+      condition.groups = {"b0_top"};
+      condition.point = Point{1, 3, 0};
+      condition.movesFar = true;
+      const double motion[6] = {0.3, -0.2, 0, 0, 0, 0.1};
+      for (const int k : prescribed) condition.motions[static_cast<std::size_t>(k)] = motion[k];
+      Constraints constraints;
+      Problems problems;
+      buildRigidGroups(mesh, {condition}, constraints, problems);
+      const RigidGroup& group = constraints.rigidGroups.front();
+      if (first.empty()) first = group.positionNodes;
+      TEST_EQUALITY(group.positionNodes.size(), std::size_t(2));
+      TEST_ASSERT(group.positionNodes == first);
+      TEST_EQUALITY(group.masters(), 3 - static_cast<int>(prescribed.size()));
+      std::vector<double> masters;
+      for (int m = 0; m < group.masters(); ++m) {
+        TEST_ASSERT(std::find(first.begin(), first.end(), group.masterNodes[m]) != first.end());
+        const Point x = mesh.point(group.masterNodes[m]);
+        masters.push_back(group.masterComponents[m] == 0 ? 0.3 - 0.1 * (x[1] - 3.0) : -0.2 + 0.1 * (x[0] - 1.0));
+      }
+      TEST_COMPARE(apart(mesh, group, moved(constraints, masters), 0.3, -0.2, 0.1), <, 1e-13);
+    }
 }
 
 TEUCHOS_UNIT_TEST(RigidGroups, TakeOverOtherSupportsOfTheirNodes) {

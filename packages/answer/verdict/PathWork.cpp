@@ -1,6 +1,5 @@
 #include <suture/answer/verdict/NodalForces.hpp>
 #include <suture/answer/verdict/PathWork.hpp>
-#include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/motion/BodyFrame.hpp>
@@ -10,7 +9,6 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -80,7 +78,6 @@ WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
     end.load.push_back(std::move(load));
     end.held.push_back(std::move(held));
     end.turn.push_back(turnFromDrawn(mesh));
-    end.nodes.push_back(mesh.globalNodes);
     end.displacement.push_back(std::move(moved));
   }
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, stored, Teuchos::outArg(end.stored));
@@ -93,50 +90,6 @@ void WorkMeter::goOnFrom(const Answer& answer, const PathWork& soFar) {
   // Energy that parts of the scene contain which exist no more, or not yet, is not part of the balance.
   work_.external += before_.stored - work_.stored;
   work_.stored = before_.stored;
-}
-
-/// Rearranges the values of the last step by the nodes that the subdomains have now: those of bodies that move far change with the masters
-/// of rigid groups. Collective.
-void WorkMeter::follow(const std::vector<SubdomainMesh>& meshes) {
-  int mine = 0, changed = 0;
-  for (std::size_t i = 0; i < before_.nodes.size(); ++i) mine = mine || before_.nodes[i] != meshes[i].globalNodes;
-  Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(changed));
-  if (changed == 0) return;
-  const std::array<std::vector<Matrix>*, 3> all{&before_.load, &before_.held, &before_.displacement};
-  std::map<GlobalId, std::vector<double>> columns;  // of the three; the subdomain that does not count a node has zeros
-  const auto add = [&](GlobalId node, const std::vector<double>& values) {
-    std::vector<double>& sum = columns[node];
-    sum.resize(values.size(), 0.0);
-    for (std::size_t k = 0; k < values.size(); ++k) sum[k] += values[k];
-  };
-  for (std::size_t i = 0; i < before_.nodes.size(); ++i)
-    for (std::size_t node = 0; node < before_.nodes[i].size(); ++node) {
-      std::vector<double> values;
-      for (const std::vector<Matrix>* matrices : all) {
-        const auto column = (*matrices)[i].col(Eigen::Index(node));
-        values.insert(values.end(), column.data(), column.data() + column.size());
-      }
-      add(before_.nodes[i][node], values);
-    }
-  Packer packer;
-  packer.put(columns);
-  columns.clear();
-  for (const std::string& bytes : allGather(comm_, packer.bytes())) {
-    std::map<GlobalId, std::vector<double>> others;
-    Unpacker(bytes).get(others);
-    for (const auto& [node, values] : others) add(node, values);
-  }
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const SubdomainMesh& mesh = meshes[i];
-    before_.nodes[i] = mesh.globalNodes;
-    for (std::vector<Matrix>* matrices : all) (*matrices)[i] = Matrix::Zero(mesh.dimension, mesh.nodes());
-    for (int node = 0; node < mesh.nodes(); ++node) {
-      if (!counts(mesh, node)) continue;
-      const double* values = columns.at(mesh.globalNodes[static_cast<std::size_t>(node)]).data();
-      for (std::size_t m = 0; m < all.size(); ++m)
-        (*all[m])[i].col(node) = Eigen::Map<const Vector>(values + m * static_cast<std::size_t>(mesh.dimension), mesh.dimension);
-    }
-  }
 }
 
 /// Work of loads, and of prescribed motions, on this rank in the step that ends with `now`.
@@ -161,7 +114,6 @@ std::pair<double, double> WorkMeter::externalWork(const End& now) const {
 }
 
 void WorkMeter::add(const Answer& answer) {
-  follow(answer.meshes);
   End now = endOf(answer);
   double mine[4] = {0.0, 0.0, 0.0, 0.0}, all[4];  // work of loads and of prescribed motions, normal and tangential
   std::tie(mine[0], mine[1]) = externalWork(now);

@@ -38,12 +38,10 @@ class WorkMeter {
   struct End {
     std::vector<Matrix> load, held, displacement;  // by mesh: dimension x nodes; held: forces of prescribed motions
     std::vector<Matrix> turn;                      // by mesh: rotation from the drawn body
-    std::vector<std::vector<GlobalId>> nodes;      // by mesh: of the columns
     std::vector<PairResult> pairs;                 // on rank 0
     double stored = 0.0;
   };
   End endOf(const Answer& answer) const;
-  void follow(const std::vector<SubdomainMesh>& meshes);
   std::pair<double, double> externalWork(const End& now) const;
 
   const Comm& comm_;

@@ -114,6 +114,7 @@ MovingConstraints::Drives MovingConstraints::drivesAt(const std::vector<double>&
 
 Constraints MovingConstraints::ofPresent(const Mesh& present, const Drives& drives) const {
   return scene_.constraints(present, [&](Condition& condition) {
+    condition.movesFar = true;
     const auto found = drives.find(condition.name);
     if (found == drives.end()) return;
     const Drive& drive = found->second;

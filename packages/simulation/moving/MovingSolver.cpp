@@ -108,13 +108,7 @@ void MovingSolver::place(double time) {
     parts_.mesh = now_.bodies.placed();
     parts_.constraints = constraints_->at(time, now_.bodies, now_.bodies.present(), history_);
   });
-  std::vector<SubdomainMesh>& meshes = parts_.cut.meshes;
-  if (!renewConstraints(comm(), parts_.mesh, parts_.constraints, meshes)) {
-    std::vector<SubdomainMesh> others = distribute(comm(), parts_.mesh, parts_.constraints, parts_.cut.partition);
-    // Subdomains refer to their meshes, which stay at one place in memory.
-    for (std::size_t s = 0; s < meshes.size(); ++s) meshes[s] = std::move(others[s]);
-    takeDrawnPlaces();
-  }
+  renewConstraints(comm(), parts_.mesh, parts_.constraints, parts_.cut.meshes);
   placeMeshes();
   parts_.cut.whole.pieces = parts_.constraints.pieces;
   parts_.cut.whole.parts = parts_.constraints.parts;
