@@ -11,6 +11,8 @@ this g is compared too (kind "friction"), up to the interpolation of g.
 Every fourth scene runs on three ranks. Estimates are counted: they need not hold.
 
   bound_corpus.py --solve build/drivers/suture_solve --output out --count 40 --first 1 --mpirun "mpirun --oversubscribe"
+
+With --solids the scenes are in 3D (bound_solids.py), and their finer meshes have a third of the element size.
 """
 import bisect
 import collections
@@ -23,11 +25,13 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import bound_scenes  # noqa: E402
+import bound_solids  # noqa: E402
 import corpus_runs  # noqa: E402
 import friction_corpus  # noqa: E402
 
 LIMIT = 120        # seconds of a run
 FINER = 4          # elements of the finer mesh along an edge of the coarse one
+FINER_SOLIDS = 3   # likewise in 3D
 ROUND_OFF = 1e-9   # of the energies, in their difference
 INTERPOLATED = 0.02  # of the bound: effect of the interpolation of g
 ENDS = (0, 3, 4)   # exit codes of sound runs
@@ -118,14 +122,14 @@ def play(options, seed):
     ranks = 3 if seed % 4 == 0 else 1
     program = [*(options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []), options.solve]
     folders, runs = [], []
-    for name, refine in (("coarse", 1), ("fine", FINER)):
-        scene = bound_scenes.scene(seed, refine, options.family, options.law)
+    for name, refine in (("coarse", 1), ("fine", FINER_SOLIDS if options.solids else FINER)):
+        scene = (bound_solids if options.solids else bound_scenes).scene(seed, refine, options.family, options.law)
         folders.append(os.path.join(options.output, "s%d_%s" % (seed, name)))
         scene.write(folders[-1])
         tolerance = (options.tolerance or "%g" % scene.tolerance) if refine == 1 else "1e-10"
         runs.append(Bounded(friction_corpus.Run(program, folders[-1], "run", ["Output/Error Bound=true", "Outer Solver/Tolerance=" + tolerance], LIMIT)))
     # The energy of enhanced elements lies below that of their displacements.
-    if "Quadrilateral4" in scene.cells and runs[0].upper is not None:
+    if {"Quadrilateral4", "Hexahedron8"} & set(scene.cells) and runs[0].upper is not None:
         runs[0].energy = runs[0].upper
     kind, remark, ratio = judge(*runs)
     coarse = runs[0].run.summary
@@ -163,6 +167,7 @@ def main():
     results = []
     parser = corpus_runs.parser(__doc__)
     parser.add_argument("--law", choices=["Tresca", "Coulomb", "Tied", "No Separation"], help="law of all contacts of two bodies")
+    parser.add_argument("--solids", action="store_true", help="scenes in 3D")
     parser.add_argument("--tolerance", help="of the solver on the coarse meshes, or Automatic, instead of that of each scene")
     for result in corpus_runs.results(parser.parse_args(), play):
         results.append(result)

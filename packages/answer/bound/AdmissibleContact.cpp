@@ -25,6 +25,10 @@ std::string AdmissibleContact::findTractions(ContactTractions& all, std::vector<
     if (!(stiffness_ > 0.0)) return "its springs are not known";
     for (ContactNodes::Pair& own : pairs_) own.pair.a = own.result.node;
   }
+  for (const Sides* sides : {&a_, &b_})
+    for (const TouchingSide* side : *sides)
+      if (std::any_of(side->nodes.begin(), side->nodes.begin() + sideNodes(), [](GlobalId node) { return node < 0; }))
+        return "sides with four vertices have no node in the middle of their diagonal";
   if (contact_.isInterpolated && separates_) return "its gap varies between the nodes";
   if (!isSimple_ && contact_.groupsB.empty()) return "conditions on an obstacle involve several nodes";
   ContactNodes nodes(sideNodes(), a_, b_, contact_.gaps);
@@ -37,11 +41,13 @@ std::string AdmissibleContact::findTractions(ContactTractions& all, std::vector<
   const std::string problem = collect(nodes, sides, pressed, others);
   if (!problem.empty()) return problem;
   sides.mayPull = !separates_;
+  const std::vector<double> uniform = uniformPressures(nodes, pressed);
+  for (std::size_t i = 0; i < nodes.all().size(); ++i) sides.forces[i] = nodes.all()[i].force;
   const Pressures pressures = admissiblePressures(sides);
   if (!pressures.feasible) return "its nodal forces are not those of any pressure";
   const FrictionTractions friction = tangentialStresses(nodes, sides);
   if (!friction.feasible) return "its nodal forces are not those of any friction stress";
-  addTractions(nodes, pressed, others, pressures.values, friction.values, tractions);
+  addTractions(nodes, pressed, others, pressures.values, friction.values, uniform, tractions);
   if (separates_) {
     addGap(nodes, sides, pressures, all);
     if (restrictsSliding_) addFriction(nodes, sides, friction, all);
@@ -161,10 +167,44 @@ std::string AdmissibleContact::collect(const ContactNodes& nodes, PressedSides& 
   return pressed.empty() ? "no side of it faces another" : "";
 }
 
+std::vector<double> AdmissibleContact::uniformPressures(ContactNodes& nodes, const Sides& pressed) const {
+  std::vector<double> all(pressed.size(), 0.0), tributary(nodes.all().size(), 0.0);
+  std::map<std::vector<GlobalId>, std::vector<std::size_t>> wholes;
+  for (std::size_t s = 0; s < pressed.size(); ++s)
+    if (!pressed[s]->whole.vertices.empty()) wholes[pressed[s]->whole.vertices].push_back(s);
+  const auto isKnown = [&](const WholeSide& side) {
+    return std::all_of(side.vertices.begin(), side.vertices.end(), [&](GlobalId node) { return nodes.indexOf(node) >= 0; });
+  };
+  for (const auto& [vertices, triangles] : wholes) {
+    const WholeSide& side = pressed[triangles[0]]->whole;
+    for (std::size_t i = 0; i < vertices.size() && isKnown(side); ++i) tributary[std::size_t(nodes.indexOf(vertices[i]))] += side.ofCell[i];
+  }
+  std::vector<double> changes(nodes.all().size(), 0.0);
+  for (const auto& [vertices, triangles] : wholes) {
+    const WholeSide& side = pressed[triangles[0]]->whole;
+    if (triangles.size() != 2 || !isKnown(side)) continue;
+    double mean = 0.0;
+    bool isClosed = true;
+    for (const GlobalId vertex : vertices) {
+      const std::size_t node = std::size_t(nodes.indexOf(vertex));
+      isClosed = isClosed && nodes.all()[node].isClosed;
+      mean += 0.25 * nodes.all()[node].force / tributary[node];
+    }
+    if (!isClosed) continue;
+    for (const std::size_t s : triangles) all[s] = mean;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      changes[std::size_t(nodes.indexOf(vertices[i]))] += mean * (side.ofTriangles[i] - side.ofCell[i]);
+  }
+  for (std::size_t i = 0; i < changes.size(); ++i) nodes.addForce(i, changes[i]);
+  return all;
+}
+
 void AdmissibleContact::addTractions(const ContactNodes& nodes, const Sides& pressed, const Sides& others, const Matrix& pressures,
-                                     const std::array<Matrix, 2>& friction, std::vector<SideTraction>& tractions) const {
+                                     const std::array<Matrix, 2>& friction, const std::vector<double>& uniform,
+                                     std::vector<SideTraction>& tractions) const {
   for (std::size_t s = 0; s < pressed.size(); ++s) {
     SideTraction own{pressed[s]->rank, pressed[s]->number};
+    own.uniform = uniform[s];
     const Point& normal = nodes.all()[nodes.indexOf(pressed[s]->nodes[0])].normal;
     for (int j = 0; j < sideNodes(); ++j) {
       const Point slid = along(normal, {friction[0](j, int(s)), friction[1](j, int(s))});
@@ -173,6 +213,7 @@ void AdmissibleContact::addTractions(const ContactNodes& nodes, const Sides& pre
     tractions.push_back(own);
     if (others.empty()) continue;
     SideTraction other{others[s]->rank, others[s]->number};
+    other.uniform = uniform[s];
     const double sizes = pressed[s]->size / others[s]->size;  // the sides need not be parallel
     for (int j = 0; j < sideNodes(); ++j) {
       const GlobalId partner = nodes.all()[nodes.indexOf(pressed[s]->nodes[j])].b;

@@ -66,6 +66,10 @@ struct BoundElement {
   std::array<int, D + 1> boundary{};                   ///< number of a SideCondition, or -1
 };
 
+/// A stress that varies linearly in 3D: columns: value at a centre, then derivatives along x, y and z. Components as in
+/// BoundElement::stresses.
+using LinearStress = Eigen::Matrix<double, 6, 4>;
+
 /// Symmetric tensor of components in the order of BoundElement::stresses.
 template <int D>
 Eigen::Matrix<double, D, D> tensorOf(const Eigen::Matrix<double, BoundElement<D>::stress, 1>& s) {

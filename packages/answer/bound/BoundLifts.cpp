@@ -53,7 +53,8 @@ typename SimplexField<D>::Nodal liftsOfSimplex(const Span<const int>& ofCell, co
 }  // namespace
 
 /// On simplices the lifts are displacements of the elements, and the work of their forces is that of the contact forces. On quadrilaterals
-/// they are not: there u_h is replaced by its interpolant, and the difference of the works is added.
+/// they are not: there u_h is replaced by its interpolant, and the difference of the works is added; in 3D, where both differ on the sides
+/// of cells, in all cells.
 template <int D>
 Lifts liftParts(const BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts) {
   Lifts result;
@@ -79,8 +80,12 @@ Lifts liftParts(const BoundParts<D>& parts, const BoundedSolution& solution, con
         const typename SimplexField<D>::Nodal more = forcesOfStresses(element, parts.kind) - element.forces;
         result.energy += more.leftCols(count).cwiseProduct(nodal.leftCols(count)).sum();
       }
-      if (!isSimplex(mesh.cells[e])) result.energy -= parts.interpolation[m][e] / 2;
+      if (D == 2 && !isSimplex(mesh.cells[e])) result.energy -= parts.interpolation[m][e] / 2;
     }
+  }
+  if (D == 3) {
+    for (const Vector& of : parts.interpolation) result.energy -= of.sum() / 2;
+    result.energy += parts.uncertainty;
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <suture/answer/bound/CellParts.hpp>
 #include <suture/answer/bound/SideConditions.hpp>
 #include <suture/answer/bound/SplitQuadrilateral.hpp>
+#include <suture/answer/bound/SplitSolid.hpp>
 #include <suture/answer/bound/SupportedSides.hpp>
 #include <suture/base/Point.hpp>
 
@@ -18,7 +19,8 @@ constexpr double kExactlyStraight = 1e-11;
 template <int D>
 class Collector {
  public:
-  Collector(const BoundedSolution& solution, const BoundaryParts& parts, const BoundKind& kind) : solution_(solution), parts_(parts) {
+  Collector(const BoundedSolution& solution, const BoundaryParts& parts, const BoundKind& kind, const SharedStresses* shared)
+      : solution_(solution), parts_(parts), shared_(shared) {
     result_.kind = kind;
   }
 
@@ -56,7 +58,11 @@ class Collector {
         addSimplex(m, e, field, conditions);
         continue;
       }
-      if constexpr (D == 2) addQuadrilateral(m, e, field, conditions);
+      const CellParts<D> parts = cellParts<D>(mesh, e);
+      if constexpr (D == 2)
+        addCell(m, e, parts, splitQuadrilateral(field, e, parts, result_.oscillation), conditions);
+      else
+        addCell(m, e, parts, SplitSolid(field, m, e, parts, conditions, *shared_).split(result_.oscillation), conditions);
     }
     result_.ofMesh.back().push_back(static_cast<int>(result_.elements.size()));
   }
@@ -92,10 +98,9 @@ class Collector {
     }
   }
 
-  void addQuadrilateral(int m, int e, BoundedField<2>& field, const SideConditions<2>& conditions) {
-    const CellParts<2> parts = cellParts<2>(field.mesh(), e);
-    const SplitElement<2> split = splitQuadrilateral(field, e, parts, result_.oscillation);
+  void addCell(int m, int e, const CellParts<D>& parts, const SplitElement<D>& split, const SideConditions<D>& conditions) {
     result_.interpolation[m][e] = split.interpolation;
+    result_.uncertainty += split.uncertainty;
     result_.solutionNorm += split.square;
     result_.energyOfForm += split.energyOfForm;
     for (std::size_t t = 0; t < split.simplices.size(); ++t) append(m, e, parts.parts[t], split.simplices[t], conditions);
@@ -183,27 +188,26 @@ class Collector {
 
   const BoundedSolution& solution_;
   const BoundaryParts& parts_;
+  const SharedStresses* shared_;
   BoundParts<D> result_;
 };
 
 }  // namespace
 
-bool canBeBounded(const std::vector<SubdomainMesh>& meshes, std::array<int, 2>& orders, bool& simplices) {
+bool hasOnlySimplices(const std::vector<SubdomainMesh>& meshes, std::array<int, 2>& orders) {
   bool all = true;
   for (const SubdomainMesh& mesh : meshes)
     for (const Cell cell : mesh.cells) {
       const int order = cellInfo(cell).order;
       orders = {std::min(orders[0], order), std::max(orders[1], order)};
-      if (isSimplex(cell)) continue;
-      simplices = false;
-      all = all && mesh.dimension == 2;
+      all = all && isSimplex(cell);
     }
   return all;
 }
 
 template <int D>
-BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, const BoundKind& kind) {
-  return Collector<D>(solution, parts, kind).collect();
+BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, const BoundKind& kind, const SharedStresses* shared) {
+  return Collector<D>(solution, parts, kind, shared).collect();
 }
 
 template <int D>
@@ -211,7 +215,18 @@ std::array<int, SimplexNodes<D>::most> nodesOfSimplex(const BoundParts<D>& parts
   const CellParts<D> cut = cellParts<D>(mesh, place.element);
   std::array<int, SimplexNodes<D>::most> nodes = cut.parts[place.simplex - parts.ofMesh[place.mesh][place.element]].nodes;
   const Span<const int> all = mesh.nodesOf(place.element);
-  for (int& node : nodes) node = node >= 0 && node < int(all.size()) ? all[node] : -1;
+  const int count = int(all.size());
+  for (int& node : nodes) {
+    if (node >= count) {
+      const auto& [a, b] = cut.diagonals[std::size_t(node - count)];
+      const int middle = middleOf(mesh.cells[place.element], a, b);
+      const Point ends = plus(mesh.point(all[a]), mesh.point(all[b]));
+      const bool isThere = middle >= 0 && norm(minus(mesh.point(all[middle]), scaled(0.5, ends))) <=
+                                              kStraightSide * norm(minus(mesh.point(all[a]), mesh.point(all[b])));
+      node = isThere ? middle : -1;
+    }
+    if (node >= 0) node = all[node];
+  }
   return nodes;
 }
 
@@ -236,6 +251,15 @@ void addForcesOf(const SubdomainMesh& mesh, int m, int e, const Matrix& forces, 
     for (BoundElement<2>& own : unloaded) own.sources.setZero(), own.forces.setZero();
     splitForces(cut, withNewNode(mesh.cells[e], cut, forces), parts.kind.order, unloaded.data());
     for (int t = 0; t < 2; ++t) first[t].forces += unloaded[t].forces;
+  } else {
+    std::vector<BoundElement<3>> unloaded(first, first + cut.parts.size());
+    for (BoundElement<3>& own : unloaded) own.sources.setZero(), own.forces.setZero();
+    const Eigen::Matrix3Xd places = placesOfParts(mesh, e, cut);
+    Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, places.cols());
+    all.leftCols(forces.cols()) = forces;
+    moveCentreForces(mesh.cells[e], cut, places, all);
+    splitForces(cut, all, places, parts.kind.order, unloaded.data());
+    for (std::size_t t = 0; t < unloaded.size(); ++t) first[t].forces += unloaded[t].forces;
   }
 }
 
@@ -249,7 +273,7 @@ void raiseDegree(BoundParts<2>& parts) {
 
 #define SUTURE_BOUND_PARTS(D)                                                                                                     \
   template struct BoundParts<D>;                                                                                                  \
-  template BoundParts<D> boundParts(const BoundedSolution&, const BoundaryParts&, const BoundKind&);                              \
+  template BoundParts<D> boundParts(const BoundedSolution&, const BoundaryParts&, const BoundKind&, const SharedStresses*);       \
   template std::array<int, SimplexNodes<D>::most> nodesOfSimplex(const BoundParts<D>&, const SubdomainMesh&, const PlaceOfSide&); \
   template typename SimplexField<D>::Nodal forcesOfStresses(const BoundElement<D>&, const BoundKind&);                            \
   template void addForcesOf(const SubdomainMesh&, int, int, const Matrix&, BoundParts<D>&);

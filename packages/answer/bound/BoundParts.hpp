@@ -24,8 +24,10 @@ struct BoundParts {
   std::vector<BoundElement<D>> elements;
   /// Simplices of the elements of each mesh: those of element e are ofMesh[m][e] to ofMesh[m][e + 1] - 1.
   std::vector<std::vector<int>> ofMesh;
-  /// For each element of each mesh 2 (J(u_h) - J(v)), v the interpolant of u_h on its simplices; empty for meshes of simplices. [energy]
+  /// For each element of each mesh 2 (J(u_h) - J(v)), v the interpolant of u_h on its simplices; empty for meshes of simplices. In 3D
+  /// the sum over all elements is meant. [energy]
   std::vector<Vector> interpolation;
+  double uncertainty = 0.0;  ///< by how much the sum of `interpolation` over this rank may be too large [energy]
   std::vector<SideCondition<D>> boundary;
   std::vector<PlaceOfSide> places;  ///< place of each entry of `boundary`
   /// Entries of `boundary` on each contact (place in BoundaryParts::touching), on sides A and B.
@@ -36,11 +38,15 @@ struct BoundParts {
   std::set<std::string> reasons;  ///< why the bound is not strict, found on this rank
 };
 
-/// Local. \param parts  the same on all ranks \param kind  of all elements \throws InputError  a folded element
-template <int D>
-BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, const BoundKind& kind);
+class SharedStresses;
 
-/// Nodes of the mesh at the nodes of a simplex; -1: none. Local.
+/// Local. \param parts  the same on all ranks \param kind  of all elements \param shared  null if all cells in 3D are tetrahedra
+/// \throws InputError  a folded element
+template <int D>
+BoundParts<D> boundParts(const BoundedSolution& solution, const BoundaryParts& parts, const BoundKind& kind,
+                         const SharedStresses* shared = nullptr);
+
+/// Nodes of the mesh at the nodes of a simplex; -1: none, as in the middle of the diagonals of most cells. Local.
 template <int D>
 std::array<int, SimplexNodes<D>::most> nodesOfSimplex(const BoundParts<D>& parts, const SubdomainMesh& mesh, const PlaceOfSide& place);
 
@@ -55,8 +61,7 @@ void addForcesOf(const SubdomainMesh& mesh, int m, int e, const Matrix& forces, 
 /// Values at the nodes of the sides at the boundary, of the degree of the elements, are completed to the degree of the stresses. Local.
 void raiseDegree(BoundParts<2>& parts);
 
-/// True if all cells of this rank are triangles, quadrilaterals or tetrahedra. Local.
-/// \param orders  the least and the largest order: extended by the cells \param simplices  false if there are quadrilaterals
-bool canBeBounded(const std::vector<SubdomainMesh>& meshes, std::array<int, 2>& orders, bool& simplices);
+/// True if all cells of this rank are triangles or tetrahedra. Local. \param orders  the least and the largest order: extended by the cells
+bool hasOnlySimplices(const std::vector<SubdomainMesh>& meshes, std::array<int, 2>& orders);
 
 }  // namespace suture

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <suture/answer/bound/BoundedField.hpp>
 #include <suture/elasticity/ElementStress.hpp>
 
@@ -49,6 +50,40 @@ typename BoundedField<D>::Forces BoundedField<D>::forcesOf(int element, const Ve
     for (int i = 0; i < int(forces.cols()); ++i) forces.col(i) += forceOfStress<D>(stress.map().gradient(i), s);
   }
   return forces;
+}
+
+template <int D>
+LinearStress BoundedField<D>::linearStressOf(int element, const SimplexLaw<D>& law, Eigen::Vector3d& centroid) const {
+  LinearStress result = LinearStress::Zero();
+  centroid.setZero();
+  if constexpr (D == 3) {
+    const ReferenceElement& reference = stiffnessElement(mesh_, element);
+    ElementStress<3> stress(mesh_, element, reference, law.ofElements, displacement_, initial_);
+    double volume = 0.0;
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    Eigen::Matrix<double, 6, 3> moments = Eigen::Matrix<double, 6, 3>::Zero();
+    const Point first = stress.map().node(0);
+    const Eigen::Vector3d origin(first[0], first[1], first[2]);
+    for (int q = 0; q < reference.points; ++q) {
+      stress.at(q);
+      const double measure = stress.map().measure();
+      const Point p = stress.map().place();
+      const Eigen::Vector3d arm = Eigen::Vector3d(p[0], p[1], p[2]) - origin;
+      const StressVector<3> s = measure * stress.stress();
+      volume += measure;
+      centroid += measure * arm;
+      second += measure * arm * arm.transpose();
+      result.col(0) += s;
+      moments += s * arm.transpose();
+    }
+    centroid /= volume;
+    second -= volume * centroid * centroid.transpose();
+    moments -= result.col(0) * centroid.transpose();
+    result.col(0) /= volume;
+    if (kind_.order == 2) result.rightCols<3>() = moments * second.inverse();
+    centroid += origin;
+  }
+  return result;
 }
 
 template <int D>

@@ -19,6 +19,7 @@ struct SplitElement {
   double interpolation = 0.0;              ///< BoundParts::interpolation [energy]
   double square = 0.0;                     ///< a(u_h, u_h) [energy]
   double energyOfForm = 0.0;               ///< BoundParts::energyOfForm [energy]
+  double uncertainty = 0.0;                ///< by how much `interpolation` may be too large [energy]
 };
 
 /// The solution on a subdomain as its elements have it, and their materials and body forces. Local.
@@ -45,6 +46,8 @@ class BoundedField {
   Forces nodalOf(int element, const Vector& values) const;
   /// Forces of an element on its nodes, by its form and the quadrature of its stiffness. \param initial  of the mesh, or none
   Forces forcesOf(int element, const Vector& displacement, const InitialState& initial, const SimplexLaw<D>& law) const;
+  /// Stress of an element in 3D by its form, fitted linearly, about its centroid; with cells of order 1 without derivatives.
+  LinearStress linearStressOf(int element, const SimplexLaw<D>& law, Eigen::Vector3d& centroid) const;
   /// Adds the initial stress of an element to that of one of its simplices.
   void addInitialStress(int element, const SimplexLaw<D>& law, BoundElement<D>& simplex) const;
 

@@ -62,6 +62,7 @@ class ContactNodes {
   std::string addPlaces(const std::vector<Pair>& pairs, bool ignoresDistance);
 
   const std::vector<ContactNode>& all() const { return nodes_; }
+  void addForce(std::size_t node, double compressive) { nodes_[node].force += compressive; }
   /// Place in all(); -1 for a node that faces nothing.
   int indexOf(GlobalId a) const;
 

@@ -20,6 +20,7 @@ std::vector<TouchingSide> touchingSides(const Comm& comm, const BoundedSolution&
     const auto nodes = nodesOfSimplex(parts, mesh, place);
     for (int j = 0; j < Nodes::sideNodes(parts.kind.order); ++j) {
       const int at = nodes[Nodes::ofSide(place.opposite, j)];
+      if (at < 0) continue;
       side.nodes[j] = mesh.globalNodes[at];
       side.places[j] = mesh.point(at);
       for (int k = 0; k < D; ++k) side.moved[j][k] = mesh.total(solution.displacement[place.mesh], D * Eigen::Index(at) + k);
@@ -32,6 +33,7 @@ std::vector<TouchingSide> touchingSides(const Comm& comm, const BoundedSolution&
     if (dot(normal, minus(side.places[0], opposite)) < 0) normal = scaled(-1.0, normal);
     side.normal = unit(normal);
     side.young = 1.0 / element.compliance.diagonal().minCoeff();
+    if constexpr (D == 3) side.whole = wholeSide(mesh, parts, place);
     for (const Coating& coating : mesh.coatings) {
       if (!onA || coating.contact != contacts.touching[contact].line || coating.element != place.element) continue;
       const std::vector<int> inner = mesh.innerNodes(coating);

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/answer/bound/BoundParts.hpp>
+#include <suture/answer/bound/UniformPressures.hpp>
 
 #include <array>
 #include <vector>
@@ -16,11 +16,13 @@ struct TouchingSide {
   double size = 0.0;
   double young = 0.0;      // modulus of the element behind it, in its stiffest direction [stress]
   double stiffness = 0.0;  // springs of a softened contact [stress / length]
+  WholeSide whole{};       // in 3D: the side of the cell that it is a triangle of
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.contact), each(self.rank), each(self.number), each(self.onA), each(self.nodes), each(self.places), each(self.moved);
     each(self.normal), each(self.size), each(self.young), each(self.stiffness);
+    each(self.whole);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <suture/answer/bound/EquilibratedTractions.hpp>
 #include <suture/answer/bound/ErrorBound.hpp>
 #include <suture/answer/bound/RestForces.hpp>
+#include <suture/answer/bound/SharedStresses.hpp>
 #include <suture/answer/bound/TractionSweeps.hpp>
 #include <suture/base/AgreedDimension.hpp>
 #include <suture/base/Collective.hpp>
@@ -83,10 +84,12 @@ std::vector<Vector> squaresOfElements(const BoundParts<D>& parts, const Vector& 
 
 template <int D>
 ErrorBound boundOf(const Comm& comm, const BoundedSolution& solution, const BoundaryParts& contacts, const ContactLaws& laws,
-                   const BoundKind& kind, int sweeps) {
+                   const BoundKind& kind, bool hasSolids, int sweeps) {
   BoundParts<D> parts;
+  std::optional<SharedStresses> shared;
+  if (hasSolids) shared.emplace(comm, solution, kind);
   collectively(comm, "bounding the error", [&] {
-    parts = boundParts<D>(solution, contacts, kind);
+    parts = boundParts<D>(solution, contacts, kind, shared ? &*shared : nullptr);
     if (comm.getRank() == 0) parts.reasons.insert(solution.reasons.begin(), solution.reasons.end());
   });
   const ContactTractions contact = contactTractions<D>(comm, solution, contacts, laws, parts);
@@ -149,18 +152,18 @@ ErrorBound errorBound(const Comm& comm, const BoundedSolution& solution, const C
   const BoundaryParts parts = broadcastParts(comm, solution.parts);
   if (!parts.isKnown) return notAvailable("the mesh was partitioned by suture_partition");
   std::array<int, 2> orders{{2, 1}};
-  bool simplices = true;
-  const bool covered = canBeBounded(solution.meshes, orders, simplices);
-  const int here[4] = {covered ? 0 : 1, -orders[0], orders[1], simplices ? 0 : 1};
-  int all[4];
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 4, here, all);
-  if (all[0] != 0) return notAvailable("the mesh has cells other than tetrahedra");
-  if (-all[1] != all[2]) return notAvailable("the mesh has elements of both orders");
-  if (all[3] != 0 && solution.model.axisymmetric) return notAvailable("the scene is axisymmetric, and its mesh has quadrilaterals");
+  const bool simplices = hasOnlySimplices(solution.meshes, orders);
+  const int here[3] = {-orders[0], orders[1], simplices ? 0 : 1};
+  int all[3];
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 3, here, all);
+  if (-all[0] != all[1]) return notAvailable("the mesh has elements of both orders");
+  const bool hasCells = all[2] != 0;
+  if (hasCells && solution.model.axisymmetric) return notAvailable("the scene is axisymmetric, and its mesh has quadrilaterals");
   BoundKind kind;
-  kind.order = all[2];
-  kind.degree = all[3] != 0 ? 2 : kind.order;
-  return dimension == 3 ? boundOf<3>(comm, solution, parts, laws, kind, sweeps) : boundOf<2>(comm, solution, parts, laws, kind, sweeps);
+  kind.order = all[1];
+  kind.degree = hasCells && dimension == 2 ? 2 : kind.order;
+  return dimension == 3 ? boundOf<3>(comm, solution, parts, laws, kind, hasCells, sweeps)
+                        : boundOf<2>(comm, solution, parts, laws, kind, false, sweeps);
 }
 
 }  // namespace suture
