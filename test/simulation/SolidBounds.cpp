@@ -160,7 +160,9 @@ Load weightOfSolids() { return Load::bodyForce({0, 0, -kWeightOfSolids}); }
 
 Load risingWeightOfSolids() {
   Load load = Load::bodyForce({0, 0, 0});
-  for (const char* text : {"0", "0", "-2e3*z"}) load.expressions.emplace_back(text, Constants());
+  Constants inSpace;
+  inSpace.dimension = 3;
+  for (const char* text : {"0", "0", "-2e3*z"}) load.expressions.emplace_back(text, inSpace);
   return load;
 }
 

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <suture/answer/bound/AdmissibleContact.hpp>
 #include <suture/answer/bound/ContactPressures.hpp>
 #include <suture/base/Point.hpp>
@@ -13,6 +14,8 @@ namespace {
 
 // Differences of the normals of a side's nodes, and of relative friction bounds, that are round-off.
 constexpr double kSameNormal = 1e-8;
+// Penetration of nodes, relative to displacements, that is round-off.
+constexpr double kRoundOffOfPenetration = 1e-14;
 
 }  // namespace
 
@@ -41,13 +44,13 @@ std::string AdmissibleContact::findTractions(ContactTractions& all, std::vector<
   const std::string problem = collect(nodes, sides, pressed, others);
   if (!problem.empty()) return problem;
   sides.mayPull = !separates_;
-  const std::vector<double> uniform = uniformPressures(nodes, pressed);
+  const std::vector<std::array<double, 4>> linear = linearPressures(nodes, pressed);
   for (std::size_t i = 0; i < nodes.all().size(); ++i) sides.forces[i] = nodes.all()[i].force;
   const Pressures pressures = admissiblePressures(sides);
   if (!pressures.feasible) return "its nodal forces are not those of any pressure";
   const FrictionTractions friction = tangentialStresses(nodes, sides);
   if (!friction.feasible) return "its nodal forces are not those of any friction stress";
-  addTractions(nodes, pressed, others, pressures.values, friction.values, uniform, tractions);
+  addTractions(nodes, pressed, others, pressures.values, friction.values, linear, tractions);
   if (separates_) {
     addGap(nodes, sides, pressures, all);
     if (restrictsSliding_) addFriction(nodes, sides, friction, all);
@@ -167,45 +170,61 @@ std::string AdmissibleContact::collect(const ContactNodes& nodes, PressedSides& 
   return pressed.empty() ? "no side of it faces another" : "";
 }
 
-std::vector<double> AdmissibleContact::uniformPressures(ContactNodes& nodes, const Sides& pressed) const {
-  std::vector<double> all(pressed.size(), 0.0), tributary(nodes.all().size(), 0.0);
-  std::map<std::vector<GlobalId>, std::vector<std::size_t>> wholes;
-  for (std::size_t s = 0; s < pressed.size(); ++s)
-    if (!pressed[s]->whole.vertices.empty()) wholes[pressed[s]->whole.vertices].push_back(s);
-  const auto isKnown = [&](const WholeSide& side) {
-    return std::all_of(side.vertices.begin(), side.vertices.end(), [&](GlobalId node) { return nodes.indexOf(node) >= 0; });
-  };
-  for (const auto& [vertices, triangles] : wholes) {
-    const WholeSide& side = pressed[triangles[0]]->whole;
-    for (std::size_t i = 0; i < vertices.size() && isKnown(side); ++i) tributary[std::size_t(nodes.indexOf(vertices[i]))] += side.ofCell[i];
+std::vector<std::array<double, 4>> AdmissibleContact::linearPressures(ContactNodes& nodes, const Sides& pressed) const {
+  std::vector<std::array<double, 4>> all(pressed.size(), {{0.0, 0.0, 0.0, 0.0}});
+  std::vector<double> tributary(nodes.all().size(), 0.0), changes = tributary;
+  std::map<std::vector<GlobalId>, std::vector<std::size_t>> wholes;  // triangles by the nodes of their sides
+  for (std::size_t s = 0; s < pressed.size(); ++s) {
+    const std::vector<GlobalId>& own = pressed[s]->whole.nodes;
+    if (!own.empty() && std::all_of(own.begin(), own.end(), [&](GlobalId node) { return nodes.indexOf(node) >= 0; }))
+      wholes[own].push_back(s);
   }
-  std::vector<double> changes(nodes.all().size(), 0.0);
-  for (const auto& [vertices, triangles] : wholes) {
-    const WholeSide& side = pressed[triangles[0]]->whole;
-    if (triangles.size() != 2 || !isKnown(side)) continue;
+  const auto indexOf = [&](GlobalId node) { return std::size_t(nodes.indexOf(node)); };
+  std::vector<Point> places(nodes.all().size());
+  for (const TouchingSide* side : pressed)
+    for (int j = 0; j < sideNodes(); ++j) places[indexOf(side->nodes[j])] = side->places[j];
+  for (const auto& [own, triangles] : wholes)
+    for (std::size_t i = 0; i < own.size(); ++i) tributary[indexOf(own[i])] += pressed[triangles[0]]->whole.ofCell[4 * i];
+  for (const auto& [own, triangles] : wholes) {
+    const auto isClosed = [&](GlobalId node) { return nodes.all()[indexOf(node)].isClosed; };
+    if (triangles.size() != 2 || !std::all_of(own.begin(), own.end(), isClosed)) continue;
+    Point centre{0, 0, 0};
+    for (int i = 0; i < 4; ++i) centre = plus(centre, scaled(0.25, places[indexOf(own[i])]));
+    const Point& n = nodes.all()[indexOf(own[0])].normal;
+    const Eigen::Vector3d normal(n[0], n[1], n[2]);
     double mean = 0.0;
-    bool isClosed = true;
-    for (const GlobalId vertex : vertices) {
-      const std::size_t node = std::size_t(nodes.indexOf(vertex));
-      isClosed = isClosed && nodes.all()[node].isClosed;
-      mean += 0.25 * nodes.all()[node].force / tributary[node];
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 4; ++i) {
+      const ContactNode& node = nodes.all()[indexOf(own[i])];
+      const Point arm = minus(places[indexOf(own[i])], centre);
+      const Eigen::Vector3d a(arm[0], arm[1], arm[2]);
+      const double pressure = node.force / tributary[indexOf(own[i])];
+      mean += 0.25 * pressure;
+      first += pressure * a;
+      second += a * a.transpose();
     }
-    if (!isClosed) continue;
-    for (const std::size_t s : triangles) all[s] = mean;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      changes[std::size_t(nodes.indexOf(vertices[i]))] += mean * (side.ofTriangles[i] - side.ofCell[i]);
+    second += second.trace() * normal * normal.transpose();
+    Eigen::Vector3d slope = second.inverse() * first;
+    slope -= slope.dot(normal) * normal;
+    if (degree_ == 1) slope.setZero();
+    for (const std::size_t s : triangles) all[s] = {{mean, slope[0], slope[1], slope[2]}};
+    const WholeSide& side = pressed[triangles[0]]->whole;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      for (std::size_t c = 0; c < 4; ++c)
+        changes[indexOf(own[i])] += all[triangles[0]][c] * (side.ofTriangles[4 * i + c] - side.ofCell[4 * i + c]);
   }
   for (std::size_t i = 0; i < changes.size(); ++i) nodes.addForce(i, changes[i]);
   return all;
 }
 
 void AdmissibleContact::addTractions(const ContactNodes& nodes, const Sides& pressed, const Sides& others, const Matrix& pressures,
-                                     const std::array<Matrix, 2>& friction, const std::vector<double>& uniform,
+                                     const std::array<Matrix, 2>& friction, const std::vector<std::array<double, 4>>& linear,
                                      std::vector<SideTraction>& tractions) const {
   for (std::size_t s = 0; s < pressed.size(); ++s) {
     SideTraction own{pressed[s]->rank, pressed[s]->number};
-    own.uniform = uniform[s];
     const Point& normal = nodes.all()[nodes.indexOf(pressed[s]->nodes[0])].normal;
+    for (std::size_t c = 0; c < 4; ++c) own.replaced[c] = scaled(-linear[s][c], normal);
     for (int j = 0; j < sideNodes(); ++j) {
       const Point slid = along(normal, {friction[0](j, int(s)), friction[1](j, int(s))});
       own.values[j] = scaled(-1.0, plus(scaled(pressures(j, int(s)), normal), slid));
@@ -213,8 +232,8 @@ void AdmissibleContact::addTractions(const ContactNodes& nodes, const Sides& pre
     tractions.push_back(own);
     if (others.empty()) continue;
     SideTraction other{others[s]->rank, others[s]->number};
-    other.uniform = uniform[s];
     const double sizes = pressed[s]->size / others[s]->size;  // the sides need not be parallel
+    for (std::size_t c = 0; c < 4; ++c) other.replaced[c] = scaled(-sizes, own.replaced[c]);
     for (int j = 0; j < sideNodes(); ++j) {
       const GlobalId partner = nodes.all()[nodes.indexOf(pressed[s]->nodes[j])].b;
       for (int i = 0; i < sideNodes(); ++i)
@@ -226,8 +245,11 @@ void AdmissibleContact::addTractions(const ContactNodes& nodes, const Sides& pre
 
 void AdmissibleContact::addGap(const ContactNodes& nodes, const PressedSides& sides, const Pressures& pressures,
                                ContactTractions& all) const {
+  double moved = 0.0;
+  for (const TouchingSide* side : a_)
+    for (int j = 0; j < sideNodes(); ++j) moved = std::max(moved, norm(side->moved[j]));
   std::vector<double> heights;
-  for (const ContactNode& node : nodes.all()) heights.push_back(std::max(0.0, -node.gap));
+  for (const ContactNode& node : nodes.all()) heights.push_back(-node.gap > kRoundOffOfPenetration * moved ? -node.gap : 0.0);
   const auto gapsOf = [&](const std::vector<double>& lifted) {
     Matrix gaps(sides.sideNodes(), sides.sides());
     for (int s = 0; s < sides.sides(); ++s)

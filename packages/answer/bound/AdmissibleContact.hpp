@@ -18,12 +18,12 @@ struct Pressures;
 struct SideTraction {
   int rank = -1, number = -1;
   int isUnknown = 0;
-  double uniform = 0.0;  // pressure for replaceUniformPressure [stress]
+  LinearTraction replaced{};  // for replaceLinearTraction [stress]
   std::array<Point, 6> values{};
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.rank), each(self.number), each(self.isUnknown), each(self.uniform), each(self.values);
+    each(self.rank), each(self.number), each(self.isUnknown), each(self.replaced), each(self.values);
   }
 };
 
@@ -53,11 +53,12 @@ class AdmissibleContact {
   /// The bound of Tresca friction if it is the same everywhere and all nodes touch, so that it acts on all sides.
   std::optional<double> constantBound(const ContactNodes& nodes, const PressedSides& sides) const;
   std::string collect(const ContactNodes& nodes, PressedSides& sides, Sides& pressed, Sides& others) const;
-  /// The mean pressure of sides with four vertices whose nodes are all closed, for each of `pressed`; forces of the nodes become those of
-  /// the triangles under it.
-  std::vector<double> uniformPressures(ContactNodes& nodes, const Sides& pressed) const;
+  /// The pressure of sides with four vertices whose nodes are all closed, for each of `pressed`: its mean, with degree 2 also its
+  /// derivatives. Forces of the nodes become those of the triangles under it.
+  std::vector<std::array<double, 4>> linearPressures(ContactNodes& nodes, const Sides& pressed) const;
   void addTractions(const ContactNodes& nodes, const Sides& pressed, const Sides& others, const Matrix& pressures,
-                    const std::array<Matrix, 2>& friction, const std::vector<double>& uniform, std::vector<SideTraction>& tractions) const;
+                    const std::array<Matrix, 2>& friction, const std::vector<std::array<double, 4>>& linear,
+                    std::vector<SideTraction>& tractions) const;
   /// Lifts the sides out of each other: first their nodes, then the middles of their edges until the polynomial gap is nowhere negative.
   void addGap(const ContactNodes& nodes, const PressedSides& sides, const Pressures& pressures, ContactTractions& all) const;
   static void move(Point& place, double by, const Point& direction);

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/answer/bound/UniformPressures.hpp>
+#include <suture/answer/bound/LinearPressures.hpp>
 
 #include <array>
 #include <vector>

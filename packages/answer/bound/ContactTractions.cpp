@@ -1,7 +1,7 @@
 #include <suture/answer/bound/AdmissibleContact.hpp>
 #include <suture/answer/bound/ContactSides.hpp>
 #include <suture/answer/bound/ContactTractions.hpp>
-#include <suture/answer/bound/UniformPressures.hpp>
+#include <suture/answer/bound/LinearPressures.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
 
@@ -132,7 +132,7 @@ ContactTractions contactTractions(const Comm& comm, const BoundedSolution& solut
     if (own.rank != comm.getRank()) continue;
     SideCondition<D>& side = parts.boundary[own.number];
     if constexpr (D == 3)
-      if (own.uniform != 0.0) replaceUniformPressure(solution, parts.places[own.number], own.uniform, parts);
+      if (own.replaced != LinearTraction{}) replaceLinearTraction(solution, parts.places[own.number], own.replaced, parts);
     if (own.isUnknown) {
       side.known = 0;
       continue;

@@ -1,6 +1,6 @@
 #include <suture/answer/bound/CellParts.hpp>
 #include <suture/answer/bound/SplitSide.hpp>
-#include <suture/answer/bound/UniformPressures.hpp>
+#include <suture/answer/bound/LinearPressures.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -9,19 +9,20 @@ namespace suture {
 
 namespace {
 
-/// The side of the cell with its geometry; nothing if it is no plane side with four vertices of order 1.
+/// The side of the cell with its geometry.
 struct WholeGeometry {
   std::vector<int> nodes;  // of the cell
   SplitSide split;
   bool isFirst;  // the triangle is the first one of the side
 };
 
+/// Nothing if it is no plane side with four vertices, or has no node at its centre for the middle of the diagonal.
 std::optional<WholeGeometry> geometryOf(const SubdomainMesh& mesh, const BoundParts<3>& parts, const PlaceOfSide& place) {
-  if (isSimplex(mesh.cells[place.element]) || parts.kind.order != 1) return std::nullopt;
+  if (isSimplex(mesh.cells[place.element])) return std::nullopt;
   const CellParts<3> cut = cellParts<3>(mesh, place.element);
   const int t = place.simplex - parts.ofMesh[place.mesh][place.element], side = cut.parts[t].sides[place.opposite];
   const std::vector<int>& nodes = cellInfo(mesh.cells[place.element]).sideNodes[side];
-  if (nodes.size() != 4) return std::nullopt;
+  if (nodes.size() != 4 && nodes.size() != 9) return std::nullopt;
   // The diagonal joins the neighbours of the vertex that the triangle lacks.
   int lacking = 0;
   for (int i = 0; i < 4; ++i) {
@@ -48,22 +49,28 @@ WholeSide wholeSide(const SubdomainMesh& mesh, const BoundParts<3>& parts, const
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (const SplitSide::Moment& moment : side->split.ofCell()) normal += moment.col(0);
   normal.normalize();
-  for (int i = 0; i < 4; ++i) {
-    result.vertices.push_back(mesh.globalNodes[mesh.nodesOf(place.element)[side->nodes[i]]]);
-    result.ofCell.push_back(normal.dot(side->split.ofCell()[i].col(0)));
-    result.ofTriangles.push_back(normal.dot(side->split.ofTriangles()[i].col(0)));
+  for (std::size_t i = 0; i < side->nodes.size(); ++i) {
+    result.nodes.push_back(mesh.globalNodes[mesh.nodesOf(place.element)[side->nodes[i]]]);
+    const std::size_t onTriangles = i < 8 ? i : std::size_t(side->split.newNode());
+    for (int k = 0; k < 4; ++k) {
+      result.ofCell.push_back(normal.dot(side->split.ofCell()[i].col(k)));
+      result.ofTriangles.push_back(normal.dot(side->split.ofTriangles()[onTriangles].col(k)));
+    }
   }
   return result;
 }
 
-void replaceUniformPressure(const BoundedSolution& solution, const PlaceOfSide& place, double pressure, BoundParts<3>& parts) {
+void replaceLinearTraction(const BoundedSolution& solution, const PlaceOfSide& place, const LinearTraction& traction,
+                           BoundParts<3>& parts) {
   const SubdomainMesh& mesh = solution.meshes[place.mesh];
   const std::optional<WholeGeometry> side = geometryOf(mesh, parts, place);
   if (!side || !side->isFirst) return;
+  const WholeSide whole = wholeSide(mesh, parts, place);
   Matrix forces = Matrix::Zero(3, int(mesh.nodesOf(place.element).size()));
-  // The traction is the pressure times the inward normal.
-  for (int i = 0; i < 4; ++i)
-    forces.col(side->nodes[i]) = pressure * (side->split.ofCell()[i].col(0) - side->split.ofTriangles()[i].col(0));
+  for (std::size_t i = 0; i < side->nodes.size(); ++i)
+    for (std::size_t c = 0; c < 4; ++c)
+      for (int k = 0; k < 3; ++k)
+        forces(k, side->nodes[i]) += traction[c][std::size_t(k)] * (whole.ofTriangles[4 * i + c] - whole.ofCell[4 * i + c]);
   addForcesOf<3>(mesh, place.mesh, place.element, forces, parts);
 }
 
