@@ -73,8 +73,10 @@ TEUCHOS_UNIT_TEST(SplitCells, BalanceTheirTetrahedra) {
     Matrix system = Matrix::Zero(6, 3 * places.cols());
     for (int i = 0; i < int(places.cols()); ++i)
       for (int k = 0; k < 3; ++k) system.col(3 * i + k) = resultantsOf(places.col(i), Eigen::Vector3d::Unit(k));
-    if (order == 2)
-      for (int i = cellInfo(cell).nodes; i-- > 20;) system.middleCols(3 * i, 3).setZero();  // centres are no nodes of tetrahedra
+    for (int i = 0; i < int(places.cols()); ++i) {
+      const bool isCentre = i >= 20 && i < cellInfo(cell).nodes, isNew = i >= cellInfo(cell).nodes;
+      if (isCentre || (isNew && order == 1)) system.middleCols(3 * i, 3).setZero();  // no nodes of tetrahedra
+    }
     const Vector found = system.transpose() * (system * system.transpose()).ldlt().solve(-resultant);
     for (int i = 0; i < int(places.cols()); ++i) forces.col(i) = found.segment<3>(3 * i);
     splitForces(parts, forces, places, order, simplices.data());

@@ -175,12 +175,15 @@ double energyOfTower(double height, double f) {
 
 const std::vector<Cell> kSolids{Cell::Hexahedron8, Cell::Wedge6, Cell::Pyramid5, Cell::Hexahedron20, Cell::Hexahedron27};
 
+/// Sides of second order have a node in the middle of their diagonal if they have 9 nodes and are parallelograms.
+bool canTouch(Cell cell, Shape shape) { return cellInfo(cell).order == 1 || (cell == Cell::Hexahedron27 && shape == Shape::Bricks); }
+
 // A constant stress is represented on every mesh: also on warped sides, and across a contact.
 TEUCHOS_UNIT_TEST(SolidBounds, VanishForConstantStress) {
   for (const Cell cell : kSolids)
     for (const int height : {1, 2})
       for (const Shape shape : {Shape::Bricks, Shape::Skewed, Shape::Warped}) {
-        if (cell == Cell::Hexahedron20 && height == 2) continue;  // mortar
+        if (!canTouch(cell, shape) && height == 2) continue;
         Tower tower(cell, 2, height);
         tower.shape = shape;
         tower.loads = {Load::pressure(tower.top() + "_top", 5e3)};
@@ -199,7 +202,8 @@ TEUCHOS_UNIT_TEST(SolidBounds, ExceedTheError) {
     for (const int height : {1, 2})
       for (const Shape shape : {Shape::Bricks, Shape::Skewed, Shape::Warped}) {
         const bool quadratic = cellInfo(cell).order == 2;
-        if (cell == Cell::Hexahedron20 && height == 2) continue;
+        if (!canTouch(cell, shape) && height == 2) continue;
+        if (quadratic && shape == Shape::Warped) continue;  // body forces that vary between warped sides and triangles
         Tower tower(cell, quadratic ? 2 : 3, height);
         tower.shape = shape;
         tower.loads = {weightOfSolids()};
