@@ -1,6 +1,6 @@
 #include <suture/answer/bound/CellParts.hpp>
-#include <suture/answer/bound/SplitSide.hpp>
 #include <suture/answer/bound/LinearPressures.hpp>
+#include <suture/answer/bound/SplitSide.hpp>
 
 #include <algorithm>
 #include <optional>

@@ -36,7 +36,7 @@ class SharedStresses {
   void joinHere();
   void exchange(const Comm& comm, const BoundedSolution& solution);
 
-  std::vector<std::vector<int>> numbers_;  // of each side of each element of each subdomain; -1: a triangle
+  std::vector<std::vector<int>> numbers_;  // sides of each element of each subdomain; -1: a triangle
   std::vector<OfSide> sides_;
 };
 

@@ -34,10 +34,10 @@ class SolidField {
   Eigen::Vector3d referenceOf(int node) const;
 
   struct Integrals {
-    Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();  ///< of r
+    Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();  ///< strain of r, integrated
     double square = 0.0;                                                       ///< a(r, r) [energy]
-    double work = 0.0;                                                         ///< of a body force in r [energy]
-    double affineWork = 0.0;                                                   ///< in A
+    double work = 0.0;                                                         ///< work of the body force in r [energy]
+    double affineWork = 0.0;                                                   ///< its work in A [energy]
     double error = 0.0;                                                        ///< largest error of square - 2 work
   };
   /// \param source  body force; none: zero
@@ -56,7 +56,7 @@ class SolidField {
   bool isCurved_ = false, isAffine_ = false;
   int points_ = 0;  // per direction
   Eigen::Vector3d centre_, mean_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d inverse_;  // of the Jacobian at the centre
+  Eigen::Matrix3d inverse_;  // inverse of the Jacobian at the centre
   std::vector<double> gradients_, values_;
   Eigen::Matrix3d slope_ = Eigen::Matrix3d::Zero();
   Nodal rest_;

@@ -30,7 +30,7 @@ class SplitSolid {
   using Forces = BoundedField<3>::Forces;
   struct OfSide {
     int number;              // in the cell
-    std::vector<int> nodes;  // of the cell, then of the triangles: the same without the centre, then the new one; -1: none
+    std::vector<int> nodes;  // nodes of the cell, then of the triangles: the same without the centre, then the new one; -1: none
     SplitSide geometry;
   };
   void findSides();
@@ -50,7 +50,7 @@ class SplitSolid {
   const SubdomainMesh& mesh_;
   const CellInfo& cell_;
   Span<const int> nodes_;
-  Eigen::Matrix3Xd places_;  // of the nodes of the cell, then of the new ones
+  Eigen::Matrix3Xd places_;  // nodes of the cell, then the new ones
   std::vector<OfSide> sides_;
   SolidField solid_;
 };
