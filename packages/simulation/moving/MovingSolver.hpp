@@ -41,7 +41,7 @@ class MovingSolver : public StepSolver {
   };
   /// Largest distance of closed pairs, and penetration of others, between the shapes of a round, and its place.
   struct Apart {
-    double part = 0.0;  ///< of the largest displacement beside the frames
+    double part = 0.0;  ///< relative to the largest displacement beside the frames
     std::string where;
   };
   Solution solveRounds();
