@@ -85,7 +85,7 @@ Point meanPlace(const Mesh& mesh, const ContactPair& pair, bool onA) {
 
 // Bodies that move far: a load bends flat faces, which stay flat faces. The same side carries as before.
 TEUCHOS_UNIT_TEST(MortarInSpace, IsCarriedByTheSameSideAfterALoad) {
-  Mesh mesh = facing(Cell::Hexahedron8, 2, 1, Cell::Hexahedron8, 5, 4, 0.0);
+  Mesh mesh = pairstesting::facing(Cell::Hexahedron8, 2, 1, Cell::Hexahedron8, 5, 4, 0.0);
   const auto carrier = [&] { return mesh.bodyOfNode[pairsOf(mesh, mortar()).pairs.front().node()]; };
   const int before = carrier();
   mesh.drawn = mesh.coordinates;
@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, IsCarriedByTheSameSideAfterALoad) {
 
 // The edge of a tilted block touches a flat: it presses and slides along the normal and the plane of the flat.
 TEUCHOS_UNIT_TEST(MortarInSpace, TakesTheNormalOfTheOtherFaceAtAnEdge) {
-  Mesh mesh = facing(Cell::Hexahedron8, 7, 6, Cell::Hexahedron8, 3, 2, 0.0);
+  Mesh mesh = pairstesting::facing(Cell::Hexahedron8, 7, 6, Cell::Hexahedron8, 3, 2, 0.0);
   move(mesh, 0, [](Point p) { return Point{3 * p[0] - 2, 3 * p[1] - 1.5, p[2]}; });
   const Turned tilt({0, 1, 0}, -0.3);
   move(mesh, 1, [&](Point p) { return tilt(p); });
@@ -364,7 +364,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, FindsTheGapOfCurvedFacesToTheOrderOfTheElements
 }
 
 TEUCHOS_UNIT_TEST(MortarInSpace, ReportsFacesThatMeetNowhere) {
-  Mesh mesh = facing(Cell::Hexahedron8, 2, 2, Cell::Hexahedron8, 3, 3, 0.0);
+  Mesh mesh = pairstesting::facing(Cell::Hexahedron8, 2, 2, Cell::Hexahedron8, 3, 3, 0.0);
   move(mesh, 1, [](Point p) -> Point { return {p[0] + 5, p[1], p[2]}; });
   TEST_THROW(pairsOf(mesh, mortar()), InputError);
 }
