@@ -58,6 +58,7 @@ void SampleRun::makeScene() {
   scene_.parameters = Teuchos::rcp(new Teuchos::ParameterList("Suture"));
   scene_.parameters->set<std::string>("Title", "Two \"blocks\"");
   scene_.parameters->set<std::string>("Units", "m, N, Pa");
+  scene_.parameters->sublist("Output").set<std::string>("Stress Axes", "Global");
   Teuchos::ParameterList& solver = scene_.parameters->sublist("Outer Solver");
   solver.set<std::string>("Tolerance", "1e-8");
   solver.set("Maximum Iterations", 50);

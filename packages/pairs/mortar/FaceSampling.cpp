@@ -200,8 +200,8 @@ Point FaceSampling::rowNormal(int side, int node) const {
     least = gap;
   }
   if (!nearest) return normal;
-  const bool isOnRim = std::binary_search(rim_.begin(), rim_.end(), surface_.nodesOf(side)[node]);
-  return rowNormalOf(normal, nearest->normalAt(at), isOnRim);
+  const auto rim = rim_.find(surface_.nodesOf(side)[node]);
+  return rowNormalOf(normal, nearest->normalAt(at), rim == rim_.end() ? nullptr : &rim->second);
 }
 
 /// Adds the intersections of a facet with the opposite facets.

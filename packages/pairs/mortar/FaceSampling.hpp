@@ -4,6 +4,7 @@
 #include <suture/pairs/mortar/MortarSampling.hpp>
 #include <suture/pairs/mortar/SmoothFace.hpp>
 
+#include <map>
 #include <vector>
 
 namespace suture {
@@ -72,8 +73,8 @@ class FaceSampling : public MortarSampling {
 
   const ContactSurface& contact_;
   const Surface& surface_;
-  std::vector<int> rim_;  // nodes of surface_, ascending
-  double share_;          // fraction of the change of curvature that the carrying side takes where both are pressed together
+  std::map<int, Point> rim_;  // see rimOf()
+  double share_;              // fraction of the change of curvature that the carrying side takes where both are pressed together
   std::vector<MortarFace> own_, other_;
   std::vector<SmoothFace> ownSmooth_, otherSmooth_;
   std::vector<Facet> ownFacets_, facets_;  // facets_: of the other face

@@ -86,8 +86,8 @@ Point LineSampling::rowNormal(int side, int node) const {
   const Point &normal = own.normal(node), from = own.point(node);
   const auto met = segmentation_.nearest(from, normal, own.body());
   if (!met) return normal;
-  const bool isOnRim = std::binary_search(rim_.begin(), rim_.end(), surface_.nodesOf(side)[node]);
-  return rowNormalOf(normal, met->other->normalAt(met->eta), isOnRim);
+  const auto rim = rim_.find(surface_.nodesOf(side)[node]);
+  return rowNormalOf(normal, met->other->normalAt(met->eta), rim == rim_.end() ? nullptr : &rim->second);
 }
 
 MortarSamples LineSampling::sample(int side, const Point& normal) const {

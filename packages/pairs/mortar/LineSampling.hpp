@@ -3,6 +3,7 @@
 #include <suture/pairs/mortar/MortarSampling.hpp>
 #include <suture/pairs/mortar/Segmentation.hpp>
 
+#include <map>
 #include <vector>
 
 namespace suture {
@@ -36,8 +37,8 @@ class LineSampling : public MortarSampling {
   const Mesh& mesh_;
   const ContactSurface& contact_;
   const Surface& surface_;
-  std::vector<int> rim_;  // nodes of surface_, ascending
-  double share_;          // fraction of the change of curvature that the carrying side takes where both are pressed together
+  std::map<int, Point> rim_;  // see rimOf()
+  double share_;              // fraction of the change of curvature that the carrying side takes where both are pressed together
   std::vector<MortarSegment> own_, other_;
   Segmentation segmentation_;
   LineRule rule_;

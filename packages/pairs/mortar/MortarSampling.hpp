@@ -3,6 +3,7 @@
 #include <suture/pairs/ContactSurface.hpp>
 #include <suture/pairs/mortar/ShapeValues.hpp>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,12 +31,13 @@ struct MortarSamples {
   bool isWhole() const { return covered > 1 - 1e-8; }
 };
 
-/// Nodes of a face's facets that have no neighbour, ascending: where the face ends. Local.
-std::vector<int> rimOf(const Surface& surface);
-/// Normal of the condition at a node: the mean of the two faces' outward normals, or the own one if they are antiparallel. On the rim of
-/// the own face only the other normal counts: a body usually ends there at an edge, which has no normal, and otherwise both normals agree
-/// where smooth faces touch. Local. \param own, facing  at the node, and where the other face is opposite to it
-Point rowNormalOf(const Point& own, const Point& facing, bool isOnRim);
+/// Nodes where a face ends, with the direction of its rim there; zero at corners, and at the ends of lines. Local.
+std::map<int, Point> rimOf(const Surface& surface);
+/// Normal of the condition at a node: the mean of the two faces' outward normals, or the own one if they are antiparallel. A body usually
+/// ends at an edge, which has no normal across it: across the rim of the own face the other normal counts, along it the mean, as for a
+/// shaft in its bearing. Local. \param own, facing  at the node, and where the other face is opposite to it \param rim  direction of
+/// rimOf() at the node; null: it is not on the rim
+Point rowNormalOf(const Point& own, const Point& facing, const Point* rim);
 
 /// Points at which the conditions of a mortar compare the carrying face with the other, in 2D and 3D. Implementations: two lines
 /// (LineSampling), two surfaces (FaceSampling), a surface and an obstacle (ObstacleSampling). Sides are numbered as in the surfaces. Local.
