@@ -258,11 +258,12 @@ TEUCHOS_UNIT_TEST(FaceSampling, SharesTheCurvatureOfASphereOnAPlane) {
     contact.coupling = Contact::Coupling::Mortar, contact.geometry = geometry, contact.carrier = Contact::Carrier::SideA;
     for (const ContactPair& pair : pairsOf(mesh, contact).pairs) gaps[geometry].push_back(pair.gap);
   }
-  // For equal bodies and meshes the sphere's convex half and the plane's concave half cancel: the gap is that of the facets.
+  // For equal bodies and meshes the sphere's convex half and the plane's concave half cancel: the gap is that of the facets, to the second
+  // order of the angle between the normals, up to 0.14 on the rim.
   for (std::size_t i = 0; i < gaps[Contact::Geometry::Facets].size(); ++i) {
     const double facet = gaps[Contact::Geometry::Facets][i], smooth = gaps[Contact::Geometry::Smooth][i];
     TEST_COMPARE(facet - smooth, >, 2e-3);
-    TEST_COMPARE(std::abs(gaps[Contact::Geometry::Automatic][i] - facet), <, 0.05 * (facet - smooth));
+    TEST_COMPARE(std::abs(gaps[Contact::Geometry::Automatic][i] - facet), <, 0.07 * (facet - smooth));
   }
 }
 

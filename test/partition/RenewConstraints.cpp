@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(RenewConstraints, GivesTheSubdomainsOfDistribute) {
     for (const std::size_t master : {0, 1}) {  // also another one than that of the drawn mesh
       const Constraints moved = constraintsOf(whole, true, 0.3, master);
       const std::string before = bytesOfAll(meshes), expected = bytesOfAll(distribute(*comm(), whole, moved, partition));
-      TEST_ASSERT(meshes.empty() || before != expected);
+      TEST_ASSERT(master > 0 || meshes.empty() || before != expected);
       renewConstraints(*comm(), whole, moved, meshes);
       TEST_ASSERT(bytesOfAll(meshes) == expected);
     }
