@@ -37,7 +37,7 @@ def plane(text):
 
 def chosen_plane(run, wanted):
     """The requested plane, (axis, value); else normal to the shorter horizontal extent of the bodies: through the largest pressure, through
-    the middle of the pressed pairs if the largest one is at their end inside of the bodies, or without contact through their middle."""
+    the middle of the pressed pairs if the largest one is at a corner of the contact, or without contact through their middle."""
     points = run.fields.points
     low, high = points.min(axis=0), points.max(axis=0)
     if wanted:
@@ -52,11 +52,11 @@ def chosen_plane(run, wanted):
     if run.contact is not None and len(run.contact.points):
         pressure = np.nan_to_num(run.contact.point_data["ContactPressure"])
         if pressure.max() > 0:
-            places, slack = run.contact.points[pressure > 0][:, axis], 1e-6 * (high - low)[axis]
-            value = run.contact.points[np.argmax(pressure), axis]
-            ends = [end for end in (places.min(), places.max()) if low[axis] + slack < end < high[axis] - slack]
-            if any(abs(value - end) <= slack for end in ends):  # the corner of a block: the section would only touch it there
-                value = np.average(places, weights=pressure[pressure > 0])
+            own, slack = run.contact.points[:, axis], 1e-6 * (high - low)[axis]
+            value = own[np.argmax(pressure)]
+            # At the corner of a turned block the section would only touch it.
+            if min(value - own.min(), own.max() - value) <= slack and np.count_nonzero(abs(own - value) <= slack) == 1:
+                value = np.average(own, weights=pressure)
     return Plane(axis, float(value))
 
 
