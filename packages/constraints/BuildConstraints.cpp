@@ -195,7 +195,8 @@ void chooseCarrier(const Mesh& mesh, const RigidGroupNodes& rigid, ContactSurfac
 }
 
 Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
-                  const ContactScales& scales, bool isLater, Problems& problems) {
+                  const ContactScales& scales, Problems& problems) {
+  const bool isLater = !mesh.drawn.empty();
   for (ContactSurface& contact : contacts)
     for (ContactFace* face : {&contact.a, &contact.b}) face->compliance = complianceOf(mesh, *face, scales);
   checkRoles(mesh, conditions, contacts, problems);
@@ -252,7 +253,7 @@ Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& con
                              const ContactScales& scales, const LoadSteps& steps, const ConditionChange& change) {
   Problems problems;
   const std::vector<Condition> sound = prepared(conditionsOn(mesh, conditions, problems), steps, change);
-  return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, static_cast<bool>(change), problems);
+  return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, problems);
 }
 
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
@@ -261,7 +262,7 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   Constants known = constants;
   known.dimension = mesh.dimension;
   const std::vector<Condition> sound = prepared(readConditions(mesh, conditionList, known, problems), steps, change);
-  return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, static_cast<bool>(change), problems);
+  return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, problems);
 }
 
 namespace {

@@ -24,8 +24,7 @@ struct ContactScales {
   std::string lengthUnit;  ///< for notes, as "mm"
 };
 
-/// Changes a condition before it is applied; empty: none changes. With it, the mesh is a later shape of bodies that move far, in which the
-/// two sides of a contact may face each other nowhere: it then has no pairs.
+/// Changes a condition before it is applied; empty: none changes.
 using ConditionChange = std::function<void(Condition& condition)>;
 
 /// Turns boundary conditions and contacts into nodal rules, pairs and pieces. Local (rank 0).
@@ -35,6 +34,9 @@ using ConditionChange = std::function<void(Condition& condition)>;
 /// direction (in 3D a third) fixes the node, and contradictions are errors. A contact node without prescribed component gets the axes
 /// (normal, tangent) of its pair, with mortar the mean of several, if it is in exactly one contact; with a prescribed component its rule is
 /// unchanged (the contact row is then scaled, not rotated).
+///
+/// If the mesh is a later shape of bodies that move far (Mesh::drawn), the two sides of a contact may face each other nowhere: it then has
+/// no pairs.
 ///
 /// \param scales  material data: stiffer bodies keep more of their shape when pressed together
 /// \param steps  gives conditions their factors

@@ -41,49 +41,37 @@ void forEachSafety(Safety& one, const Each& each) {
   for (auto& s : one.stress) each(s);
 }
 
-/// Frames of all steps as a text; empty: there are none.
-std::string framesText(const std::vector<StepRow>& rows) {
-  if (std::all_of(rows.begin(), rows.end(), [](const StepRow& row) { return row.frames.empty(); })) return "";
+/// Lists of all steps as a text; empty: there are none. \param of  list of a row \param fields  of an entry, as an array
+template <typename Entry, typename Fields>
+std::string listsText(const std::vector<StepRow>& rows, std::vector<Entry> StepRow::*of, const Fields& fields) {
+  if (std::all_of(rows.begin(), rows.end(), [&](const StepRow& row) { return (row.*of).empty(); })) return "";
   nlohmann::json all = nlohmann::json::array();
   for (const StepRow& row : rows) {
     nlohmann::json& own = all.emplace_back(nlohmann::json::array());
-    for (const StepRow::Frame& one : row.frames) own.push_back({one.body, one.displacement, one.rotation});
+    for (const Entry& one : row.*of) own.push_back(fields(one));
   }
   return all.dump();
 }
 
-void readFrames(const std::string& text, const std::string& path, std::vector<StepRow>& rows) {
+/// \param entry  made of its fields \param what  for messages
+template <typename Entry, typename Made>
+void readLists(const std::string& text, const std::string& path, const std::string& what, std::vector<StepRow>& rows,
+               std::vector<Entry> StepRow::*of, const Made& entry) {
   try {
     const nlohmann::json all = nlohmann::json::parse(text);
     for (std::size_t i = 0; i < rows.size(); ++i)
-      for (const nlohmann::json& one : all.at(i))
-        rows[i].frames.push_back({one.at(0).get<int>(), one.at(1).get<Point>(), one.at(2).get<Point>()});
+      for (const nlohmann::json& fields : all.at(i)) (rows[i].*of).push_back(entry(fields));
   } catch (const nlohmann::json::exception&) {
-    throw InputError(path, "damaged: incomplete frames of load steps");
+    throw InputError(path, "damaged: incomplete " + what + " of load steps");
   }
 }
 
-/// Rigid groups of all steps as a text; empty: there are none.
-std::string groupsText(const std::vector<StepRow>& rows) {
-  if (std::all_of(rows.begin(), rows.end(), [](const StepRow& row) { return row.groups.empty(); })) return "";
-  nlohmann::json all = nlohmann::json::array();
-  for (const StepRow& row : rows) {
-    nlohmann::json& own = all.emplace_back(nlohmann::json::array());
-    for (const StepRow::Group& one : row.groups) own.push_back({one.name, one.displacement, one.rotation, one.force, one.moment});
-  }
-  return all.dump();
-}
+nlohmann::json fieldsOf(const StepRow::Frame& one) { return {one.body, one.displacement, one.rotation}; }
+nlohmann::json fieldsOf(const StepRow::Group& one) { return {one.name, one.displacement, one.rotation, one.force, one.moment}; }
 
-void readGroups(const std::string& text, const std::string& path, std::vector<StepRow>& rows) {
-  try {
-    const nlohmann::json all = nlohmann::json::parse(text);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      for (const nlohmann::json& one : all.at(i))
-        rows[i].groups.push_back(
-            {one.at(0).get<std::string>(), one.at(1).get<Point>(), one.at(2).get<Point>(), one.at(3).get<Point>(), one.at(4).get<Point>()});
-  } catch (const nlohmann::json::exception&) {
-    throw InputError(path, "damaged: incomplete rigid groups of load steps");
-  }
+StepRow::Frame frameOf(const nlohmann::json& one) { return {one.at(0).get<int>(), one.at(1).get<Point>(), one.at(2).get<Point>()}; }
+StepRow::Group groupOf(const nlohmann::json& one) {
+  return {one.at(0).get<std::string>(), one.at(1).get<Point>(), one.at(2).get<Point>(), one.at(3).get<Point>(), one.at(4).get<Point>()};
 }
 
 /// Parts removed and placed so far, and what remains of them.
@@ -133,10 +121,14 @@ void writePath(Hdf5Writer& file, const Comm& comm, const PathState& steps) {
   }
   file.write(at("Steps"), rows, static_cast<int>(kStep));
   file.write(at("StepForces"), forces, 3);
-  const std::string groups = broadcast(comm, comm.getRank() == 0 ? groupsText(steps.rows) : std::string());
-  if (!groups.empty()) file.write(at("StepGroups"), groups);
-  const std::string frames = broadcast(comm, comm.getRank() == 0 ? framesText(steps.rows) : std::string());
-  if (!frames.empty()) file.write(at("StepFrames"), frames);
+  const auto writeLists = [&](const char* name, auto of) {
+    std::string text;
+    if (comm.getRank() == 0) text = listsText(steps.rows, of, [](const auto& one) { return fieldsOf(one); });
+    text = broadcast(comm, text);
+    if (!text.empty()) file.write(at(name), text);
+  };
+  writeLists("StepGroups", &StepRow::groups);
+  writeLists("StepFrames", &StepRow::frames);
   if (steps.moved) writeMovedBodies(file, comm, kGroup, *steps.moved);
   file.write(at("NextStep"), comm.getRank() == 0 ? std::vector<double>{steps.length} : std::vector<double>());
   file.write(at("PathPairs"), pairs, static_cast<int>(kPathPair));
@@ -171,8 +163,8 @@ PathState readPath(const Hdf5Reader& file, const std::string& path, const std::v
   const std::size_t lines = forces.size() / (3 * std::max<std::size_t>(steps.rows.size(), 1));
   for (std::size_t i = 0; i < lines * steps.rows.size(); ++i)
     steps.rows[i / lines].forceOnB.push_back({forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]});
-  if (file.has(at("StepGroups"))) readGroups(file.readText(at("StepGroups")), path, steps.rows);
-  if (file.has(at("StepFrames"))) readFrames(file.readText(at("StepFrames")), path, steps.rows);
+  if (file.has(at("StepGroups"))) readLists(file.readText(at("StepGroups")), path, "rigid groups", steps.rows, &StepRow::groups, groupOf);
+  if (file.has(at("StepFrames"))) readLists(file.readText(at("StepFrames")), path, "frames", steps.rows, &StepRow::frames, frameOf);
   if (MovedBodies moved = readMovedBodies(file, kGroup, path); !moved.empty())
     steps.moved = std::make_shared<const MovedBodies>(std::move(moved));
   steps.length = next.front();

@@ -107,12 +107,13 @@ void appendTensor(const Matrix& stresses, Eigen::Index row, std::vector<double>&
 }
 
 /// \param stresses  at the nodes, rows as in elementStresses()
-void addNodalStresses(const SubdomainMesh& mesh, const PointNumbers& numbers, const Matrix& stresses, Piece& all) {
+void addNodalStresses(const Run& run, const SubdomainMesh& mesh, const PointNumbers& numbers, const Matrix& stresses, Piece& all) {
+  const Matrix written = inStressAxes(run, mesh, stresses);
   const Matrix principal = principalStresses(stresses);
   const Vector mises = vonMises(stresses);
   for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n) {
     if (!numbers.isNew(mesh, n)) continue;
-    appendTensor(stresses, n, all.nodalStress);
+    appendTensor(written, n, all.nodalStress);
     all.nodalVonMises.push_back(mises[n]);
     if (mesh.dimension == 3) {
       append(all.nodalPrincipal, {principal(n, 0), principal(n, 1), principal(n, 2)});
@@ -156,11 +157,11 @@ double writtenFactor(double factor) { return factor > kLargestFactor ? kLargestF
 /// \param own  stresses of a user-defined subdomain, or null
 void addStresses(const Run& run, const SubdomainMesh& mesh, const Vector& u, const Matrix* own, Piece& all) {
   const ElasticModel& model = run.model;
-  const Matrix stress = inStressAxes(run, mesh, own ? *own : elementStresses(mesh, model, u));
+  const Matrix stress = own ? *own : elementStresses(mesh, model, u), written = inStressAxes(run, mesh, stress);
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
   for (int e = 0; e < mesh.elements(); ++e) {
-    appendTensor(stress, e, all.stress);
+    appendTensor(written, e, all.stress);
     if (mesh.dimension == 3) {
       append(all.principal, {principal(e, 0), principal(e, 1), principal(e, 2)});
       append(all.firstDirection, {principal(e, 3), principal(e, 4), principal(e, 5)});
@@ -296,7 +297,7 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     const SubdomainMesh& mesh = run.subdomains[s];
     const Vector& u = run.solution.displacement[s];
     addNodes(mesh, numbers, u, piece);
-    if (!run.solution.nodalStresses.empty()) addNodalStresses(mesh, numbers, inStressAxes(run, mesh, run.solution.nodalStresses[s]), piece);
+    if (!run.solution.nodalStresses.empty()) addNodalStresses(run, mesh, numbers, run.solution.nodalStresses[s], piece);
     if (run.solution.sinceTime) addSince(mesh, numbers, run.solution.since[s], piece);
     if (!run.solution.safety.nodal.empty())
       for (int n = 0, nodes = mesh.bodyNodes(); n < nodes; ++n)

@@ -10,9 +10,10 @@ namespace suture {
 
 namespace {
 
-constexpr std::size_t kPart = BodyFrame::kNumbers + 12;  // components of a row of MovedParts: frame, moment, shift, rotation, about
-constexpr std::size_t kPair =
-    14;  // of a row of MovedPairs: contact, node, status, direction, bound, friction, slipped, work, force, tangential
+// Components of a row of MovedParts: frame, moment, shift, rotation, about.
+constexpr std::size_t kPart = BodyFrame::kNumbers + 12;
+// Components of a row of MovedPairs: contact, node, status, direction, bound, friction, slipped, work, force, tangential.
+constexpr std::size_t kPair = 14;
 
 struct Names {
   explicit Names(const std::string& group) : parts(group + "/MovedParts"), beside(group + "/MovedNodes"), pairs(group + "/MovedPairs") {}

@@ -36,8 +36,8 @@ Schema outputSchema() {
           "NodalStress, NodalVonMises and NodalPrincipalStress, and the extremes in summary and console. On boundaries they are "
           "larger than the stresses at element centroids.")
       .oneOf("Stress Axes", "Global", {"Body", "Global"},
-             "Axes of the stresses in fields and probes. Body: the axes of the drawn body, which turn with a body that moves far (Motion = "
-             "Moving): stresses along a shaft or a tooth, wherever it is.")
+             "Axes of the components of stresses in fields and probes. Body: the axes of the drawn body, which turn with a body that moves "
+             "far (Motion = Moving): stresses along a shaft or a tooth, wherever it is. Principal directions have global axes.")
       .boolean("Tables", true, "Write contact.csv, one row per pair, and reactions.csv, one row per condition and contact.")
       .boolean(
           "Checkpoint", false,

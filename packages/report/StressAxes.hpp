@@ -6,8 +6,8 @@
 
 namespace suture {
 
-/// Turns stresses to the axes in which a run writes them (`Output/Stress Axes`): the global ones, or those that turn with a body that moves
-/// far. Local. \param stresses  rows as in elementStresses()
+/// Turns stresses to the axes in which a run writes their components (`Output/Stress Axes`): the global ones, or those that turn with a
+/// body that moves far. Local. \param stresses  rows as in elementStresses()
 Matrix inStressAxes(const Run& run, const SubdomainMesh& mesh, const Matrix& stresses);
 /// These axes in words.
 std::string stressAxesText(const Run& run);

@@ -57,8 +57,8 @@ Solution PathFollower::solveStep(const Solution* before, bool isPrepared, double
     for (std::size_t i = 0; isExpected && i < lastChange_.size(); ++i) expected.push_back(before->displacement[i] + part * lastChange_[i]);
     solution = solver_.solve(before, isPrepared, isExpected ? &expected : nullptr, part);
     solution.sinceTime = parts_.sinceTime();
-    for (std::size_t i = 0; solution.sinceTime && i < parts_.reference.size(); ++i)
-      solution.since.push_back(solution.displacement[i] - parts_.reference[i]);
+    if (solution.sinceTime) solution.since = parts_.comparable(solution.displacement);
+    for (std::size_t i = 0; i < solution.since.size(); ++i) solution.since[i] -= parts_.reference[i];
     if (solution.converged) {
       judgeSolution(parts_, solver_.method().subdomains(), solution);
       timed(timers(), "verify", [&] { solver_.verify(solution); });
@@ -144,7 +144,8 @@ void PathFollower::acceptStep(Solution& solution, const Solution* before, StepRo
   row.frames = solver_.frames();
   if (!solution.rigidGroups.empty()) row.groups = groupsOfStep(runOf(parts_, solution));
   path().rows.push_back(row);
-  if (row.time == scene().settings().sublist("Output").get<double>("Displacements Since")) parts_.reference = solution.displacement;
+  if (row.time == scene().settings().sublist("Output").get<double>("Displacements Since"))
+    parts_.reference = parts_.comparable(solution.displacement);
   for (LeastSafety& one : solution.safety.ofBodies) one.step = row.step, one.time = row.time;
   keepLeast(path().safety, solution.safety.ofBodies);
   monitor().endStep(row);

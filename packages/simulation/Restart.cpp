@@ -38,13 +38,18 @@ void restore(SceneParts& parts, const PathState& state) {
   for (auto& [removal, ofNodes] : forces) parts.path->release(parts.plan->phases.release(removal), std::move(ofNodes), parts.scene.model);
 }
 
-Solution lastSolution(SceneParts& parts, const Start& start, const PathState& state) {
-  const Comm& comm = parts.run.comm();
+void requireReference(const SceneParts& parts, const PathState& state) {
   const double since = parts.scene.settings().sublist("Output").get<double>("Displacements Since"), time = parts.path->time();
   if (since > 0.0 && time > since && state.since != since)
     throw InputError("Output/Displacements Since", "the checkpoint is at " + pathTime(time) + ", after " + pathTime(since) +
                                                        ", and has no displacements of that time; run the scene from its beginning");
-  if (time == since) parts.reference = start.displacement;
+}
+
+Solution lastSolution(SceneParts& parts, const Start& start, const PathState& state) {
+  const Comm& comm = parts.run.comm();
+  requireReference(parts, state);
+  const double time = parts.path->time();
+  if (parts.sinceTime() == time) parts.reference = start.displacement;
   std::vector<PairForce> forces;
   const auto stateOf = [&](int pair) {
     const auto found = start.status.find(pair);

@@ -14,6 +14,9 @@ PathState pathStateOf(const SceneParts& parts, const std::vector<PairResult>& pa
 /// Restores what remains of removed and placed parts in a phase, and the reference of `Displacements Since`; after the mesh is cut. Local.
 void restore(SceneParts& parts, const PathState& state);
 
+/// \throws InputError  a path beyond the time of `Displacements Since` whose state lacks displacements of that time
+void requireReference(const SceneParts& parts, const PathState& state);
+
 /// Solution at the end of the last step of a path, as far as the next step or phase needs it: displacements, pairs, energy. Sets loads and
 /// pairs to that time. Collective. \throws InputError  the state has no displacements of the time of `Displacements Since`
 Solution lastSolution(SceneParts& parts, const Start& start, const PathState& state);

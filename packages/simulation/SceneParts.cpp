@@ -36,6 +36,13 @@ std::optional<double> SceneParts::sinceTime() const {
   return time > 0.0 && path && path->time() >= time ? std::optional<double>(time) : std::nullopt;
 }
 
+std::vector<Vector> SceneParts::comparable(const std::vector<Vector>& displacement) const {
+  std::vector<Vector> all = displacement;
+  for (std::size_t s = 0; drawn && s < all.size(); ++s)
+    for (Eigen::Index i = 0; i < all[s].size(); ++i) all[s][i] = cut.meshes[s].fromDrawn(displacement[s], i);
+  return all;
+}
+
 double SceneParts::firstTime() const {
   const std::vector<double>& all = scene.steps.times();
   return *std::upper_bound(all.begin(), all.end() - 1, begin());

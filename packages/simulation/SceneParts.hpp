@@ -70,6 +70,9 @@ struct SceneParts {
   std::vector<std::string> contactsOfPath() const { return plan ? plan->whole.entries() : scene.entries(); }
   /// Time of `Output/Displacements Since`, if it has been reached; the same on all ranks.
   std::optional<double> sinceTime() const;
+  /// Displacements that `Displacements Since` compares, from those of a solution: of bodies that move far those from the drawn bodies.
+  /// Local.
+  std::vector<Vector> comparable(const std::vector<Vector>& displacement) const;
   /// True if the scene has load steps, all of which are requested.
   bool followsPath() const { return !scene.steps.empty() && path && !scene.isOneStep; }
   /// The scene as input of its method. \param changes  loads and prescribed values change between solutions

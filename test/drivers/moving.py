@@ -8,6 +8,7 @@ import math
 import pathlib
 
 import h5py
+import numpy as np
 
 from harness import arguments, check, finish, run, setting
 from moving_runs import force, solve, table
@@ -37,6 +38,10 @@ for name, ranks, words in (("ranks_2", 2, []), ("ranks_4", 4, []), ("monolithic"
     code, _, _, rows, _ = solve(f"block_{name}", BLOCK, *words, ranks=ranks)
     check(f"block: {name}", (code, abs(force(rows[-1])[1] / ends[0][1] - 1) < 1e-6), (0, True))
 
+# Displacements since a time are those from the places of the bodies then.
+code, _, summary, *_ = solve("block_since", BLOCK, *setting("Output/Displacements Since", 2))
+check("block: displacement since t = 2", (code, summary["extremes"]["displacement_since"]["value"]), lambda found: found[0] == 0 and abs(found[1] / 1.5 - 1) < 1e-3)
+
 # It slides off: no pairs are left, and no forces.
 code, _, summary, rows, _ = solve("off", BLOCK, *setting("Boundary Conditions/slide/Value", "{12}"))
 check("block: slides off", (code, summary["verified"], summary["max_displacement"] > 12, force(rows[-1])), (0, True, True, [0, 0]))
@@ -63,7 +68,7 @@ for angle in (0.0, 0.3, 1.0, 3.0, 100.0):
     check("frames", max(abs(float(row["rotation_z"]) - angle) for row in frames), lambda apart: apart < 1e-10)
 
 # Stresses in the axes of the body do not see that it turns.
-stresses = {}
+stresses, principal = {}, {}
 for angle, axes in ((0.0, "Global"), (2.0, "Body"), (2.0, "Global")):
     words = [*setting("Boundary Conditions/ground/Rotation z", angle), *setting("Output/Stress Axes", axes), *setting("Output/Nodal Stresses", "true")]
     for motion, value in (("Motion x", 0.002 * math.sin(angle)), ("Motion y", -0.002 * math.cos(angle)), ("Rotation z", angle)):
@@ -71,10 +76,13 @@ for angle, axes in ((0.0, "Global"), (2.0, "Body"), (2.0, "Global")):
     code, *_ = solve(f"axes_{angle}_{axes}", TURNED, *words, *setting("Outer Solver/Tolerance", "1e-10"))
     check(f"stresses of a turned body in the axes {axes}: solved", code, 0)
     with h5py.File(options.work / f"axes_{angle}_{axes}" / "fields_0000.vtkhdf") as file:
-        stresses[angle, axes] = (file["VTKHDF/CellData/Stress"][:], file["VTKHDF/PointData/NodalStress"][:])
+        cells, points = file["VTKHDF/CellData"], file["VTKHDF/PointData"]
+        stresses[angle, axes] = (cells["Stress"][:], points["NodalStress"][:])
+        principal[angle, axes] = (cells["PrincipalDirection1"][:], points["NodalPrincipalStress"][:])
 for k, name in enumerate(("stress", "nodal stress")):
     drawn = stresses[0.0, "Global"][k]
     check(f"{name} in the axes of the body", abs(stresses[2.0, "Body"][k] - drawn).max() / abs(drawn).max(), lambda part: part < 1e-8)
+    check(f"{name}: principal directions and stresses are global", np.abs(principal[2.0, "Body"][k] - principal[2.0, "Global"][k]).max(), 0.0)
     check(f"{name} in global axes", abs(stresses[2.0, "Global"][k] - drawn).max() / abs(drawn).max(), lambda part: part > 0.5)
 
 # A block slides without friction on a bed that stays where it is, on springs, of an orthotropic material: it sinks and tilts as by statics.

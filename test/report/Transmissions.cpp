@@ -13,7 +13,7 @@ StepRow::Group groupAt(const std::string& name, const Point& displacement, const
   return {name, displacement, rotation, force, moment};
 }
 
-// A rack (force along x) driven by a pinion of radius 2 that turns by `angle` about z against a load of 10: it follows but for 0.01
+// A rack (force along x) driven by a pinion of radius 2 that turns by `angle` about z against a load of 10: it lags by 0.01
 // sin(angle).
 StepRow rackAt(int step, double angle) {
   StepRow row;

@@ -50,7 +50,7 @@ TEUCHOS_UNIT_TEST(Settling, ToleranceFollowsTheExpectedChange) {
   TEST_COMPARE(second, <, 1e-1 * first);
   settling.add(1e-3, 1.0, true);
   TEST_COMPARE(settling.tolerance(), <, second);
-  TEST_COMPARE(settling.tolerance(), <=, 1e-3 * 1e-5);  // of the expected change
+  TEST_COMPARE(settling.tolerance(), <=, 1e-3 * 1e-5);  // a small part of the expected change
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 /// The side of the cell with its geometry.
 struct WholeGeometry {
-  std::vector<int> nodes;  // of the cell
+  std::vector<int> nodes;  // local numbers in the cell
   SplitSide split;
   bool isFirst;  // the triangle is the first one of the side
 };

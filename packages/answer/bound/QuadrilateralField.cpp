@@ -1,4 +1,5 @@
 #include <Eigen/LU>
+#include <suture/answer/bound/NodalSums.hpp>
 #include <suture/answer/bound/QuadrilateralField.hpp>
 #include <suture/answer/bound/SimplexField.hpp>
 #include <suture/base/Point.hpp>
@@ -72,19 +73,6 @@ const Jets& jetsAtCentre(Cell cell) {
 
 Eigen::Vector3d strainOf(const Eigen::Matrix2d& slope) { return {slope(0, 0), slope(1, 1), slope(0, 1) + slope(1, 0)}; }
 
-Eigen::Matrix2d mapOf(const Jets& jets, const QuadrilateralField::Nodal& places) {
-  Eigen::Matrix2d map = Eigen::Matrix2d::Zero();
-  for (int i = 0; i < int(places.cols()); ++i)
-    for (int k = 0; k < 2; ++k) map.col(k) += jets[i].gradient[k] * places.col(i);
-  return map;
-}
-
-Eigen::Vector2d valueOf(const Jets& jets, const QuadrilateralField::Nodal& values) {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (int i = 0; i < int(values.cols()); ++i) sum += jets[i].value * values.col(i);
-  return sum;
-}
-
 }  // namespace
 
 QuadrilateralField::QuadrilateralField(const CellBlock& block, int element, const CellParts<2>& parts, bool isCurved)
@@ -100,7 +88,7 @@ QuadrilateralField::QuadrilateralField(const CellBlock& block, int element, cons
 void QuadrilateralField::findAffinity() {
   const Cell cell = block_.cells[element_];
   const Jets& jets = jetsAtCentre(cell);
-  const Eigen::Matrix2d map = mapOf(jets, places_);
+  const Eigen::Matrix2d map = jacobianOf(jets, places_);
   centre_ = valueOf(jets, places_);
   slope_ = map.inverse();
   double deviation = 0.0;
@@ -115,7 +103,7 @@ void QuadrilateralField::findSpread() {
   const Cell cell = block_.cells[element_];
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (int v = 0; v < 4; ++v) {
-    const double determinant = mapOf(jetsAt(cell, referencePoint(cell, v)), places_).determinant();
+    const double determinant = jacobianOf(jetsAt(cell, referencePoint(cell, v)), places_).determinant();
     least = std::min(least, determinant);
     most = std::max(most, determinant);
   }
@@ -131,7 +119,7 @@ Point QuadrilateralField::newNode() const {
   const Eigen::Vector2d target = 0.5 * (places_.col(diagonal[0]) + places_.col(diagonal[1]));
   for (int step = 0; step < kMostNewtonSteps; ++step) {
     const Jets jets = jetsAt(cell, at);
-    const Eigen::Vector2d change = mapOf(jets, places_).inverse() * (target - valueOf(jets, places_));
+    const Eigen::Vector2d change = jacobianOf(jets, places_).inverse() * (target - valueOf(jets, places_));
     at[0] += change[0], at[1] += change[1];
     if (change.norm() < kFound) break;
   }
@@ -151,7 +139,7 @@ InterpolantDifference QuadrilateralField::set(const Nodal& displacement, const S
   using Nodes = SimplexNodes<2>;
   const Cell cell = block_.cells[element_];
   const Jets& jets = jetsAtCentre(cell);
-  const Eigen::Matrix2d slope = mapOf(jets, displacement) * slope_;
+  const Eigen::Matrix2d slope = jacobianOf(jets, displacement) * slope_;
   // Without the affine function mean + slope (x - centre).
   Nodal rest = displacement - slope * (places_.colwise() - centre_);
   rest.colwise() -= valueOf(jets, displacement);

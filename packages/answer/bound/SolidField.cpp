@@ -1,4 +1,5 @@
 #include <Eigen/LU>
+#include <suture/answer/bound/NodalSums.hpp>
 #include <suture/answer/bound/SolidField.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementMap.hpp>
@@ -18,7 +19,7 @@ namespace {
 constexpr double kAffineSolid = 1e-11, kStraightSolid = 1e-9;
 // Relative errors of integrals on cells with and without an affine map.
 constexpr double kRoundOffInSolid = 4e-15, kIntegratedInSolid = 1e-4;
-constexpr double kLogarithmInSolid = -14.0;  // of the error for which the number of points is chosen
+constexpr double kLogarithmInSolid = -14.0;  // logarithm of the error for which the number of points is chosen
 constexpr double kWithinEllipse = 0.9;       // part of the logarithm of R that is used: away from the zeros
 constexpr double kFoundInSolid = 1e-13;      // step of Newton's method in the reference cell that is round-off
 constexpr int kNewtonStepsInSolid = 20;
@@ -88,19 +89,6 @@ const std::vector<SolidJets>& latticeOf(Cell cell) {
   return own;
 }
 
-Eigen::Matrix3d jacobian(const SolidJets& jets, const SolidField::Nodal& places) {
-  Eigen::Matrix3d map = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < int(places.cols()); ++i)
-    for (int k = 0; k < 3; ++k) map.col(k) += jets[i].gradient[k] * places.col(i);
-  return map;
-}
-
-Eigen::Vector3d valueAt(const SolidJets& jets, const SolidField::Nodal& values) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = 0; i < int(values.cols()); ++i) sum += jets[i].value * values.col(i);
-  return sum;
-}
-
 SolidJets jetsIn(Cell cell, const Point& at) {
   SolidJets jets;
   shapeJets(cell, at, jets.data());
@@ -158,8 +146,8 @@ void SolidField::findCurved() {
 void SolidField::findAffinity() {
   const Point at = referenceCentre(cell_);
   const SolidJets jets = jetsIn(cell_, at);
-  const Eigen::Matrix3d map = jacobian(jets, places_);
-  centre_ = valueAt(jets, places_);
+  const Eigen::Matrix3d map = jacobianOf(jets, places_);
+  centre_ = valueOf(jets, places_);
   inverse_ = map.inverse();
   for (int i = 0; i < int(places_.cols()); ++i) {
     values_.push_back(jets[i].value);
@@ -176,7 +164,7 @@ int SolidField::pointsFor() const {
   if (isAffine_) return least;
   std::array<double, 27> determinants;
   const std::vector<SolidJets>& lattice = latticeOf(cell_);
-  for (int q = 0; q < 27; ++q) determinants[q] = jacobian(lattice[q], places_).determinant();
+  for (int q = 0; q < 27; ++q) determinants[q] = jacobianOf(lattice[q], places_).determinant();
   toBernstein(determinants);
   const auto [low, high] = std::minmax_element(determinants.begin(), determinants.end());
   if (!(*low > 0.0)) return kMostPoints + 1;
@@ -199,11 +187,11 @@ bool SolidField::restAt(const Eigen::Vector3d& place, const Eigen::Vector3d& gue
   Eigen::Vector3d at = guess;
   for (int step = 0; step < kNewtonStepsInSolid; ++step) {
     const SolidJets jets = jetsIn(cell_, {at[0], at[1], at[2]});
-    const Eigen::Vector3d change = jacobian(jets, places_).inverse() * (place - valueAt(jets, places_));
+    const Eigen::Vector3d change = jacobianOf(jets, places_).inverse() * (place - valueOf(jets, places_));
     if (!change.allFinite()) return false;
     at += change;
     if (change.norm() > kFoundInSolid) continue;
-    value = valueAt(jetsIn(cell_, {at[0], at[1], at[2]}), rest_);
+    value = valueOf(jetsIn(cell_, {at[0], at[1], at[2]}), rest_);
     return true;
   }
   return false;

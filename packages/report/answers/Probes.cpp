@@ -3,12 +3,12 @@
 #include <suture/base/Point.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/report/answers/Probes.hpp>
+#include <suture/report/answers/Tables.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -103,12 +103,7 @@ std::vector<std::string> allGroups(const Comm& comm, const std::vector<Subdomain
 
 }  // namespace
 
-std::string Probe::fileName() const {
-  std::string file = name;
-  for (char& c : file)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
-  return "probe_" + file + ".csv";
-}
+std::string Probe::fileName() const { return tableName("probe", name); }
 
 Schema probeSchema() {
   return Schema("Table probe_<name>.csv: displacement and stress; on contact sides also gap and pressure.")

@@ -15,7 +15,7 @@ struct Probe {
   std::string group;                ///< empty: points
   int dimension = 2;                ///< dimension of the scene
 
-  std::string fileName() const;  ///< "probe_<name>.csv"; characters of the name other than letters, digits, - and _ become _
+  std::string fileName() const;  ///< "probe_<name>.csv"; see tableName()
 };
 
 /// Schema of one entry of `Output/Probes`.

@@ -6,6 +6,7 @@
 #include <suture/report/answers/Tables.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -37,6 +38,13 @@ const char* slidingOf(const PairResult& pair) {
 const char* statusOf(const PairResult& pair) { return pair.state.closed() ? "closed" : pair.touching ? "touching" : "open"; }
 
 }  // namespace
+
+std::string tableName(const std::string& kind, const std::string& name) {
+  std::string file = name;
+  for (char& c : file)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
+  return kind + "_" + file + ".csv";
+}
 
 std::string csvField(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

@@ -2,12 +2,12 @@
 #include <suture/base/Errors.hpp>
 #include <suture/report/Format.hpp>
 #include <suture/report/OutputFolder.hpp>
+#include <suture/report/answers/Tables.hpp>
 #include <suture/report/answers/Transmissions.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -62,12 +62,7 @@ double loadOf(const StepRow::Group& group, const Transmission::Side& side) {
 
 }  // namespace
 
-std::string Transmission::fileName() const {
-  std::string file = name;
-  for (char& c : file)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
-  return "transmission_" + file + ".csv";
-}
+std::string Transmission::fileName() const { return tableName("transmission", name); }
 
 Schema transmissionSchema() {
   return Schema("Table transmission_<name>.csv: motions and loads of two rigid groups over the load steps, and the transmission error.")

@@ -21,7 +21,7 @@ struct Transmission {
   Side driving, driven;
   double ratio = 0.0;  ///< motion of the driven group over that of the driving one, if bodies were rigid
 
-  std::string fileName() const;  ///< "transmission_<name>.csv"; characters of the name other than letters, digits, - and _ become _
+  std::string fileName() const;  ///< "transmission_<name>.csv"; see tableName()
 };
 
 /// Schema of one entry of `Output/Transmissions`.

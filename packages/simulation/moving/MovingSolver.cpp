@@ -4,6 +4,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/partition/NodalValues.hpp>
 #include <suture/partition/RenewConstraints.hpp>
+#include <suture/simulation/Restart.hpp>
 #include <suture/simulation/moving/MovingSolver.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
@@ -332,6 +333,7 @@ std::shared_ptr<const MovedBodies> MovingSolver::moved(const Solution& solution)
 }
 
 Solution MovingSolver::goOnFrom(const PathState& state) {
+  requireReference(parts_, state);
   const MovedBodies& moved = *state.moved;
   std::map<std::pair<int, int>, const MovedBodies::Pair*> pairOf;
   for (const MovedBodies::Pair& pair : moved.pairs) pairOf[{pair.line, pair.node}] = &pair;
@@ -360,6 +362,7 @@ Solution MovingSolver::goOnFrom(const PathState& state) {
   solution.converged = true;
   solution.energy = parts_.path->rows.back().energy;
   solution.displacement = scatterNodes(comm(), parts_.cut.meshes, now_.bodies.beside(), drawn_->mesh.dimension);
+  if (parts_.sinceTime() == parts_.path->time()) parts_.reference = parts_.comparable(solution.displacement);
   std::vector<PairForce> forces;
   for (const ContactPair& pair : parts_.constraints.pairs) {  // on rank 0
     const auto found = pairOf.find({pair.line, pair.node()});
