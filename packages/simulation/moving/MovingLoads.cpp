@@ -15,7 +15,8 @@ namespace suture {
 namespace {
 
 // Change of the moments of displaced forces in a round, relative to the sum of their magnitudes, after which the balance at the present
-// places has settled.
+// places has settled. Not critical: from 1e-2 to 1e-5 the forces of a block that rocks change by 5e-7 and its conjugate gradients take 341
+// to 363 iterations, those of a roller, a hinge and a cam together 3,664 to 3,748.
 constexpr double kSameMoments = 1e-3;
 
 }  // namespace
