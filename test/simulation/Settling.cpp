@@ -48,9 +48,28 @@ TEUCHOS_UNIT_TEST(Settling, ToleranceFollowsTheExpectedChange) {
   settling.add(1e-1, 1.0, true);
   const double second = settling.tolerance();
   TEST_COMPARE(second, <, 1e-1 * first);
-  settling.add(1e-3, 1.0, true);
+  settling.add(2e-2, 1.0, true);
   TEST_COMPARE(settling.tolerance(), <, second);
-  TEST_COMPARE(settling.tolerance(), <=, 1e-3 * 1e-5);  // a small part of the expected change
+  TEST_COMPARE(settling.tolerance(), <=, 1e-3 * 4e-3);  // a small part of the expected change
+  TEST_COMPARE(settling.tolerance(), >, 0.0);
+}
+
+// The round after which shapes will have settled, as in the step before, is solved to the end: not first roughly and then once more.
+TEUCHOS_UNIT_TEST(Settling, TheLastRoundIsSolvedToTheEnd) {
+  Settling before(1.0);
+  before.add(1e-1, 1.0, true);
+  TEST_COMPARE(before.tolerance(), >, 0.0);
+  before.add(1e-4, 1.0, true);
+  TEST_FLOATING_EQUALITY(before.contraction(), 1e-3, 1e-12);
+  Settling settling(1.0, before.contraction());
+  TEST_COMPARE(settling.tolerance(), >, 0.0);
+  settling.add(1e-1, 1.0, true);
+  TEST_ASSERT(!settling.isSettled());  // what was expected is no proof
+  TEST_EQUALITY(settling.tolerance(), 0.0);
+  settling.add(5e-2, 1.0, true);
+  TEST_ASSERT(!settling.isSettled());
+  TEST_COMPARE(settling.tolerance(), >, 0.0);
+  TEST_FLOATING_EQUALITY(settling.contraction(), 0.5, 1e-12);
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ void MovingSolver::moveOn(double part) {
 
 Solution MovingSolver::solveRounds() {
   const double time = parts_.path->presentTime();
-  Settling settling(extent_);
+  Settling settling(extent_, contraction_);
   int iterations = 0, pcg = 0;
   const auto solved = [&](const Start* start) {
     Solution solution = method_->solve(parts_.run.monitor(), parts_.run.timers(), start);
@@ -235,7 +235,10 @@ Solution MovingSolver::solveRounds() {
     const bool isBalanced = loads_.findMoments(comm(), parts_.cut.meshes, partOfSubdomain_, parts_.scene.model, solution);
     if (settling.isSettled() && isBalanced) {
       findApart();
-      if (apart_.part <= kFound * accuracyOf(solution)) return solution;
+      if (apart_.part <= kFound * accuracyOf(solution)) {
+        contraction_ = settling.contraction();
+        return solution;
+      }
     }
     if (round < kMostRounds) continue;
     solution.converged = false;

@@ -19,12 +19,16 @@ double Settling::scale(double beside) const { return beside + kRoundOff / kSettl
 
 void Settling::add(double change, double beside, bool sameStates) {
   // Rounds contract at least linearly: what the next one would change follows from the last two.
-  const double next = last_ > 0.0 ? change * std::min(1.0, change / last_) : change;
+  const double ratio = last_ > 0.0 ? std::min(1.0, change / last_) : 1.0;
+  isSettled_ = sameStates && change * ratio <= kSettled * scale(beside);
+  if (++rounds_ == 2) contraction_ = ratio;
+  next_ = change * (rounds_ == 1 ? contraction_ : ratio) / scale(beside);
   last_ = change;
-  isSettled_ = sameStates && next <= kSettled * scale(beside);
-  next_ = next / scale(beside);
 }
 
-double Settling::tolerance() const { return std::min(kLoosestRound, kPartOfChange * next_); }
+double Settling::tolerance() const {
+  const bool isLast = rounds_ > 0 && next_ * contraction_ <= kSettled;
+  return isLast ? 0.0 : std::min(kLoosestRound, kPartOfChange * next_);
+}
 
 }  // namespace suture

@@ -11,7 +11,8 @@ class Settling {
   static constexpr double kSettled = 1e-6;
 
   /// \param extent  of the scene: below its round-off bodies without strain do not change [length]
-  explicit Settling(double extent) : extent_(extent) {}
+  /// \param contraction  expected one, see contraction(): that of the last step
+  explicit Settling(double extent, double contraction = 1.0) : extent_(extent), contraction_(contraction) {}
 
   /// Takes a round into account. \param change  largest change of place of a node in it [length]
   /// \param beside  see scale() \param sameStates  no pair changed its state
@@ -20,11 +21,15 @@ class Settling {
   double scale(double beside) const;
   /// True if another round would change neither shapes nor states.
   bool isSettled() const { return isSettled_; }
-  /// Tolerance with which the next round is solved: a part of the change that it is expected to make.
+  /// Tolerance with which the next round is solved: a part of the change that it is expected to make; zero, to the end, if shapes are
+  /// expected to have settled after it.
   double tolerance() const;
+  /// Change of the second round as a part of that of the first; the expected one before.
+  double contraction() const { return contraction_; }
 
  private:
-  double extent_;
+  double extent_, contraction_;
+  int rounds_ = 0;
   double last_ = 0.0;  // change of the last round [length]
   double next_ = 1.0;  // expected change of the next one, in scales
   bool isSettled_ = false;
