@@ -141,9 +141,10 @@ Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const
   constraints.notes.clear();
   const int d = drawn_.dimension;
   for (ContactPair& pair : constraints.pairs) {
+    const double gap = pair.gap;
     for (const PairEnd& end : pair.ends)
       pair.gap += end.weight * dot(pair.normal, pointOf(bodies.beside().data() + Eigen::Index(end.node) * d, d));
-    history.setPast(pair, present, bodies);
+    history.setPast(pair, gap, present, bodies);
   }
   return constraints;
 }
