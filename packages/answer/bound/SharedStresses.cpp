@@ -25,7 +25,7 @@ bool hasFourVertices(const CellInfo& cell, int side) {
   return std::count_if(nodes.begin(), nodes.end(), [&](int node) { return node < cell.vertices; }) == 4;
 }
 
-std::array<GlobalId, 4> verticesOfSide(const SubdomainMesh& mesh, int element, int side) {
+std::array<GlobalId, 4> fourVerticesOfSide(const SubdomainMesh& mesh, int element, int side) {
   const auto& nodes = cellInfo(mesh.cells[element]).sideNodes[side];
   std::array<GlobalId, 4> key;
   for (int i = 0; i < 4; ++i) key[i] = mesh.globalNodes[mesh.nodesOf(element)[nodes[i]]];
@@ -52,7 +52,7 @@ SharedStresses::SharedStresses(const Comm& comm, const BoundedSolution& solution
         const double number = law.compliance.sum() * (1.0 + material.density.value_or(0.0));
         for (int s = 0; s < int(cell.sideNodes.size()); ++s) {
           if (!hasFourVertices(cell, s)) continue;
-          OfSide own{verticesOfSide(mesh, e, s), stress, number};
+          OfSide own{fourVerticesOfSide(mesh, e, s), stress, number};
           Eigen::Vector3d arm = -centre;
           for (int i = 0; i < 4; ++i) {
             const Point p = mesh.point(mesh.nodesOf(e)[cell.sideNodes[s][i]]);

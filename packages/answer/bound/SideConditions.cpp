@@ -41,12 +41,12 @@ double deviationFromTriangles(const std::vector<Point>& points, const std::vecto
   if (points.size() == 4) return twist;
   const double skew = std::max({std::abs(weights[0] - weights[1]), std::abs(weights[1] - weights[2]), std::abs(weights[2] - weights[3])});
   double bend = 0.0, cubic = 0.0;
-  const auto second = [&](int i) { return values[std::size_t(i)] + values[std::size_t((i + 1) % 4)] - 2 * values[std::size_t(i + 4)]; };
-  for (int i = 0; i < 4; ++i) bend = std::max(bend, std::abs(second(i)));
-  for (int i = 0; i < 2; ++i) cubic = std::max(cubic, std::abs(second(i) - second(i + 2)));
+  const auto second = [&](std::size_t i) { return values[i] + values[(i + 1) % 4] - 2 * values[i + 4]; };
+  for (std::size_t i = 0; i < 4; ++i) bend = std::max(bend, std::abs(second(i)));
+  for (std::size_t i = 0; i < 2; ++i) cubic = std::max(cubic, std::abs(second(i) - second(i + 2)));
   if (points.size() == 9) {
-    for (int i = 0; i < 2; ++i) {
-      const double across = values[std::size_t(4 + i)] + values[std::size_t(6 + i)] - 2 * values[8];
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double across = values[4 + i] + values[6 + i] - 2 * values[8];
       cubic = std::max(cubic, std::abs(second(1 - i) - across));
     }
   }

@@ -58,7 +58,8 @@ WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
     std::vector<const NodeRule*> ruleOf(mesh.nodes(), nullptr);
     for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
     const RigidGroupNodes rigid(mesh.rigidGroups, d);
-    Matrix load = Matrix::Zero(d, mesh.nodes()), held = load, moved = load;
+    const Matrix none = Matrix::Zero(d, mesh.nodes());
+    Matrix load = none, held = none, moved = none;
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       const auto sums = forces.nodes[i].col(node);

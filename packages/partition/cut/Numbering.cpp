@@ -38,8 +38,8 @@ std::vector<Centre> centresOf(const CellBlock& block, const NodeSubdomains& hold
 
 template <typename T>
 void permute(const std::vector<int>& newOf, std::vector<T>& values) {
-  std::vector<T> old = std::move(values);
-  values.resize(old.size());
+  std::vector<T> old(values.size());
+  old.swap(values);
   for (std::size_t i = 0; i < old.size(); ++i) values[newOf[i]] = std::move(old[i]);
 }
 

@@ -67,7 +67,7 @@ class MovingSolver : public StepSolver {
   State accepted_, now_;
   Apart apart_;                                    // in the last round
   std::vector<MovingBodies::Motion> lastMotions_;  // likewise, by part: motions in the accepted step
-  double contraction_ = 1.0;                       // of the last step, see Settling; the same on all ranks
+  double contraction_ = 1.0;                       // contraction of rounds in the last step, see Settling; the same on all ranks
   double extent_ = 0.0;                            // largest coordinate [length]
   std::vector<int> partOfSubdomain_;               // part of each subdomain of the scene; the same on all ranks
 };
