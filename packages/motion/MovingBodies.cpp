@@ -209,4 +209,24 @@ void MovingBodies::absorb(const Vector& displacement) {
   }
 }
 
+void MovingBodies::goPartOfTheWay(const MovingBodies& from, double part) {
+  const int d = drawn_->dimension;
+  const std::vector<BodyFrame> to = frames_;
+  for (std::size_t p = 0; p < frames_.size(); ++p) {
+    const BodyFrame& before = from.frames_[p];
+    const Point shift = minus(to[p].place(), before.place()), rotation = turnBetween(before, to[p]);
+    frames_[p] = before;
+    frames_[p].move(scaled(part, shift), scaled(part, rotation), before.place());
+  }
+  for (int node = 0; node < drawn_->nodes(); ++node) {
+    if (partOf(node) < 0) continue;
+    const auto p = static_cast<std::size_t>(partOf(node));
+    const Eigen::Index at = Eigen::Index(node) * d;
+    const Point before = from.frames_[p].turnBack(pointOf(from.beside_.data() + at, d)),
+                now = to[p].turnBack(pointOf(beside_.data() + at, d));
+    const Point between = frames_[p].turn(plus(scaled(1.0 - part, before), scaled(part, now)));
+    for (int k = 0; k < d; ++k) beside_[at + k] = between[static_cast<std::size_t>(k)];
+  }
+}
+
 }  // namespace suture

@@ -54,6 +54,9 @@ class MovingBodies {
   bool goOnFrom(const std::vector<BodyFrame>& frames, const std::vector<double>& beside);
   /// Makes the displacements of a solution, from the placed mesh, the present ones, and their rigid parts finite motions of the frames.
   void absorb(const Vector& displacement);
+  /// Places these bodies between, or beyond, other places of theirs and the present ones. \param part  of the way, of which 1 changes
+  /// nothing
+  void goPartOfTheWay(const MovingBodies& from, double part);
 
  private:
   /// Nodes whose motion is that of the frame, with weights.

@@ -54,6 +54,29 @@ TEUCHOS_UNIT_TEST(MovingBodies, WhatIsLeftTurnsWithTheBody) {
   }
 }
 
+// Half of a rotation is half of its angle; strains are halved in the axes of the body.
+TEUCHOS_UNIT_TEST(MovingBodies, HalfOfTheWayIsAFiniteMotionToo) {
+  const Scene scene = scenes::fromBoxes(twoBoxes(4, 2, 1, 1), 100.0, 0.3);
+  const MovingBodies before(scene.mesh, scene.constraints);
+  MovingBodies strained = before, half = before;
+  Vector stretched = Vector::Zero(Eigen::Index(scene.mesh.coordinates.size()));
+  for (int node = 0; node < scene.mesh.nodes(); ++node)
+    stretched[2 * node] = 1e-3 * (scene.mesh.point(node)[0] - before.frameOf(node).centre()[0]);
+  strained.absorb(stretched);
+  const MovingBodies::Motion motion{{2, 1, 0}, {0, 0, 1.2}, before.frames()[0].place()},
+      part{{1, 0.5, 0}, {0, 0, 0.6}, before.frames()[0].place()};
+  strained.move(0, motion);
+  half.absorb(0.5 * stretched);
+  half.move(0, part);
+  MovingBodies between = strained;
+  between.goPartOfTheWay(before, 0.5);
+  TEST_COMPARE((between.placement() + between.beside() - half.placement() - half.beside()).cwiseAbs().maxCoeff(), <, 1e-13);
+  TEST_FLOATING_EQUALITY(between.frames()[0].rotation()[2], 0.6, 1e-13);
+  between = strained;
+  between.goPartOfTheWay(before, 1.0);
+  TEST_COMPARE((between.placement() + between.beside() - strained.placement() - strained.beside()).cwiseAbs().maxCoeff(), <, 1e-13);
+}
+
 TEUCHOS_UNIT_TEST(MovingBodies, CouplesHaveTheGivenMomentAndNoForce) {
   const Scene scene = scenes::fromBoxes(twoBoxes(4, 2, 1, 1), 100.0, 0.3);
   MovingBodies bodies(scene.mesh, scene.constraints);

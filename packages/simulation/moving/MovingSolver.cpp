@@ -157,7 +157,8 @@ MovingSolver::State MovingSolver::stateAfter(const Solution& solution, Settling&
   double seen[3] = {0.0, 0.0, 0.0};  // change, scale, same states
   collectivelyOnRoot(comm(), "moving the bodies", [&] {
     next.bodies.absorb(moved);
-    seen[0] = (next.bodies.placement() + next.bodies.beside() - now_.bodies.placement() - now_.bodies.beside()).cwiseAbs().maxCoeff();
+    next.change = next.bodies.placement() + next.bodies.beside() - now_.bodies.placement() - now_.bodies.beside();
+    seen[0] = next.change.cwiseAbs().maxCoeff();
     seen[1] = next.bodies.beside().cwiseAbs().maxCoeff();
     bool sameStates = true;
     next.states.clear();
@@ -200,6 +201,7 @@ void MovingSolver::moveOn(double part) {
 Solution MovingSolver::solveRounds() {
   const double time = parts_.path->presentTime();
   Settling settling(extent_, contraction_);
+  Relaxation relaxation;
   int iterations = 0, pcg = 0;
   const auto solved = [&](const Start* start) {
     Solution solution = method_->solve(parts_.run.monitor(), parts_.run.timers(), start);
@@ -232,7 +234,7 @@ Solution MovingSolver::solveRounds() {
       next = stateAfter(solution, after);
     }
     settling = after;
-    now_ = std::move(next);
+    std::swap(now_, next);
     const bool isBalanced = loads_.findMoments(comm(), parts_.cut.meshes, partOfSubdomain_, parts_.scene.model, solution);
     if (settling.isSettled() && isBalanced) {
       findApart();
@@ -241,7 +243,10 @@ Solution MovingSolver::solveRounds() {
         return solution;
       }
     }
-    if (round < kMostRounds) continue;
+    if (round < kMostRounds) {
+      if (comm().getRank() == 0) now_.bodies.goPartOfTheWay(next.bodies, relaxation.factorAfter(now_.change));
+      continue;
+    }
     solution.converged = false;
     solution.failure = "the places of the bodies do not settle within " + std::to_string(kMostRounds) + " rounds";
     return solution;

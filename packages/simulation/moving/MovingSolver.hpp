@@ -3,6 +3,7 @@
 #include <suture/simulation/StepSolver.hpp>
 #include <suture/simulation/moving/MovingConstraints.hpp>
 #include <suture/simulation/moving/MovingLoads.hpp>
+#include <suture/simulation/moving/Relaxation.hpp>
 #include <suture/simulation/moving/Settling.hpp>
 
 #include <memory>
@@ -38,6 +39,7 @@ class MovingSolver : public StepSolver {
   struct State {
     MovingBodies bodies;
     std::map<std::pair<int, int>, ContactState> states;  // by contact and carrying node
+    Vector change;                                       // change of the places of all nodes in the last round
   };
   /// Largest distance of closed pairs, and penetration of others, between the shapes of a round, and its place.
   struct Apart {
