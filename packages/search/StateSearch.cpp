@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace suture {
 
@@ -194,10 +195,17 @@ bool StateSearch::solve(PairStates& next, double& turns) {
   return true;
 }
 
+/// Accuracy of solves that follow one of the final accuracy. What an accurate solve has disproved is not left to equally inaccurate ones
+/// again: they would find it again.
+double StateSearch::between() const {
+  const double last = solver_.tightest();
+  return std::max(last, std::min(disproved_, std::sqrt(last * solver_.loosest())));
+}
+
 /// The accuracy of states is limited by the distance from the laws, and that of solves follows it. If only slip turns, a tenth of the turn
 /// is sufficient.
 void StateSearch::sharpen(double distance, double turns) {
-  const double last = solver_.tightest(), between = std::max(last, std::sqrt(last * solver_.loosest()));
+  const double last = solver_.tightest(), between = this->between();
   if (violated_.empty()) {
     tolerance_ = std::max(last, std::min(tolerance_, kStateSharper * turns * tolerance_));
     return;
@@ -238,6 +246,7 @@ bool StateSearch::step(PairStates& next) {
 /// Newton steps from states_ until the laws agree with a solution of the final accuracy.
 StateSearch::End StateSearch::newton(int most, int patience) {
   int since = 0;
+  bool isProof = false;           // the next solve is to prove, at the final accuracy, what a less accurate one found
   std::vector<PairStates> tried;  // without friction, at the current accuracy: a state that recurs leads nowhere new
   isNew_ = true;
   best_.distance = std::numeric_limits<double>::infinity();
@@ -254,16 +263,18 @@ StateSearch::End StateSearch::newton(int most, int patience) {
         if (states_[i].status == PairStatus::Stick && next[i].status == PairStatus::Stick) states_[i] = next[i];
       if (tolerance_ <= last) return End::Settled;
       // The remaining Newton steps only turn directions: not all of them need be accurate.
-      const double between = std::max(last, std::sqrt(last * solver_.loosest()));
+      const double between = this->between();
       const bool turning =
           std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.transverseStiffness > 0.0; });
       tolerance_ = turning && tolerance_ > between ? between : last;
+      isProof = tolerance_ <= last;
       ++left_, --k;
       isNew_ = true;
       best_.distance = std::numeric_limits<double>::infinity();
       since = 0;
       continue;
     }
+    if (std::exchange(isProof, false)) disproved_ = std::max(last, std::sqrt(last * between()));
     const bool pulled = arePulled(next);
     if (isFrictionless() && predicts_ && solves_ <= kPredicted) next = predicted(std::move(next));
     const double own = projection_.distance(states_, answer_.force, answer_.jump), before = tolerance_;

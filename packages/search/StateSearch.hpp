@@ -2,6 +2,7 @@
 #include <suture/search/DrivenBodies.hpp>
 #include <suture/search/PadStates.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace suture {
@@ -78,6 +79,7 @@ class StateSearch {
   double contraction() const;
   End newton(int most, int patience);
   bool solve(PairStates& next, double& turns);
+  double between() const;
   void sharpen(double distance, double turns);
   bool step(PairStates& next);
   bool differs(const PairStates& next) const;
@@ -101,6 +103,7 @@ class StateSearch {
   bool predicts_ = true;
   int left_, solves_ = 0;
   double tolerance_ = 0.0;
+  double disproved_ = std::numeric_limits<double>::infinity();  // accuracy whose states an accurate solve has disproved, and less
   PairStates states_;
   ContactAnswer answer_;
   std::vector<int> violated_;

@@ -171,6 +171,39 @@ TEUCHOS_UNIT_TEST(StateSearch, SolvesWhatLemkesPivotsSolve) {
   TEST_COMPARE(slips, >, 50);
 }
 
+/// Solves whose displacements and forces of the first pair are wrong by more than their tolerance says, towards an open pair.
+struct RoughBody : CondensedBody {
+  using CondensedBody::CondensedBody;
+  double loosest() const override { return 1e-2; }
+  double tightest() const override { return 1e-8; }
+  ContactAnswer solve(const PairStates& states, double tolerance) override {
+    ContactAnswer answer = CondensedBody::solve(states, tolerance);
+    if (tolerance <= tightest()) return answer;
+    answer.jump(0, 0) -= states[0].closed() ? 0.0 : 2.0 * tolerance;
+    answer.force(0, 0) -= states[0].closed() ? 2.0 * tolerance : 0.0;
+    return answer;
+  }
+};
+
+// Inaccurate solves find a pair open that accurate ones find closed. They are not asked again and again.
+TEUCHOS_UNIT_TEST(StateSearch, DoesNotReturnToWhatAnAccurateSolveDisproved) {
+  for (const int dimension : {2, 3})
+    for (const double penetrates : {1e-5, 1e-6, 1e-7}) {
+      RoughBody body(dimension, 2);
+      body.stiffness = Matrix::Identity(2 * dimension, 2 * dimension);
+      body.load.setZero();
+      body.load(0) = penetrates;
+      body.load(dimension) = 1.0;
+      body.begin({dry(0.0, 0.3)}, {0, 0});
+      StateSearch search(*body.rigid, body.laws, body.sites, body, 60);
+      const StateSearch::Result found = search.run(search.start());
+      out << penetrates << ": " << found.solves << " solves\n";
+      TEST_ASSERT(found.converged);
+      TEST_ASSERT(found.states[0].closed() && found.states[1].closed());
+      TEST_COMPARE(found.solves, <=, 16);
+    }
+}
+
 // A pair that opens loses its cohesion at once: there may be no solution. All 4^n states of n pairs are tried.
 TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionWithCohesionWhereThereIsOne) {
   std::mt19937 random(15);
