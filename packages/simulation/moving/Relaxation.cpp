@@ -8,7 +8,7 @@ namespace {
 
 // Quick: to a tenth in a step. After a single slow step, as where loads change besides, the next one is often quick again: steps are
 // shorter only from the second slow one on. Not critical: .3 instead of .1, and a shortest step of .4 instead of .2, change the iterations
-// of 14 scenes by less than .3 %; to begin with the first slow step takes 4 % more.
+// of 14 scenes by less than .3 %; to begin with the first slow step takes 2 % more.
 constexpr double kQuick = 0.1;
 constexpr int kSlow = 2;
 constexpr double kShortest = 0.2;
