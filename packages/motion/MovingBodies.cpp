@@ -209,15 +209,22 @@ void MovingBodies::absorb(const Vector& displacement) {
   }
 }
 
+std::vector<MovingBodies::Motion> MovingBodies::motionsFrom(const MovingBodies& before) const {
+  std::vector<Motion> all;
+  for (std::size_t p = 0; p < frames_.size(); ++p) {
+    const BodyFrame &from = before.frames_[p], &to = frames_[p];
+    all.push_back({minus(to.place(), from.place()), turnBetween(from, to), from.place()});
+  }
+  return all;
+}
+
 void MovingBodies::goPartOfTheWay(const MovingBodies& from, double part) {
   const int d = drawn_->dimension;
   const std::vector<BodyFrame> to = frames_;
-  for (std::size_t p = 0; p < frames_.size(); ++p) {
-    const BodyFrame& before = from.frames_[p];
-    const Point shift = minus(to[p].place(), before.place()), rotation = turnBetween(before, to[p]);
-    frames_[p] = before;
-    frames_[p].move(scaled(part, shift), scaled(part, rotation), before.place());
-  }
+  const std::vector<Motion> motions = motionsFrom(from);
+  frames_ = from.frames_;
+  for (std::size_t p = 0; p < frames_.size(); ++p)
+    frames_[p].move(scaled(part, motions[p].shift), scaled(part, motions[p].rotation), motions[p].about);
   for (int node = 0; node < drawn_->nodes(); ++node) {
     if (partOf(node) < 0) continue;
     const auto p = static_cast<std::size_t>(partOf(node));

@@ -45,6 +45,8 @@ class MovingBodies {
   bool isHeld(int part) const { return gauges_[static_cast<std::size_t>(part)].isHeld; }
   /// The rigid motion that fits displacements from the placed mesh at the nodes that determine the frame of a part; none if it rests.
   Motion motionOf(int part, const Vector& displacement) const;
+  /// Motion of each part since these bodies were elsewhere, about the place of its centre then.
+  std::vector<Motion> motionsFrom(const MovingBodies& before) const;
   /// Moves a part that does not rest, with its displacements: see BodyFrame::move().
   void move(int part, const Motion& motion);
   /// Forces on the nodes that determine the frame of a part whose sum is zero and whose moment about any point of the placed body is given:
@@ -54,8 +56,7 @@ class MovingBodies {
   bool goOnFrom(const std::vector<BodyFrame>& frames, const std::vector<double>& beside);
   /// Makes the displacements of a solution, from the placed mesh, the present ones, and their rigid parts finite motions of the frames.
   void absorb(const Vector& displacement);
-  /// Places these bodies between, or beyond, other places of theirs and the present ones. \param part  of the way, of which 1 changes
-  /// nothing
+  /// Places these bodies between their places in `from` (part = 0) and their present places (part = 1).
   void goPartOfTheWay(const MovingBodies& from, double part);
 
  private:

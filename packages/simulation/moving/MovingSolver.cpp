@@ -18,9 +18,9 @@ namespace suture {
 
 namespace {
 
-// Part of the closed pairs that may close near the end of a step if pairs stick, and what is near. The slip of such a pair follows from the
-// mean motion of the bodies instead of that at the end: a block tilted by .086 that is put down in one step ends up off its place by half
-// of the way by which its edge moves sideways, one tilted by .0013 by .02 of its compression.
+// A step is too long if more than this part of the closed pairs close after this part of the step, and pairs stick. The slip of a late pair
+// follows from the mean motion of the bodies, not from the motion at the end: a block tilted by .086 that is put down in one step misses
+// its place by half of the sideways motion of its edge, one tilted by .0013 by .02 of its compression.
 constexpr double kClosedLate = 0.3;
 constexpr double kLate = 0.9;
 // Gaps between the last shapes, in changes of shape after which rounds have settled: at most 0.8 in the scenes of test/drivers/moving*.py.
@@ -33,16 +33,6 @@ constexpr const char* kDeforms =
     "Beside their motion the bodies deform by this number of elements: the strains are not small. Check stiffness, loads and prescribed "
     "motions; "
     "a body that friction locks cannot be driven on";
-
-/// Motions of the parts, about the places of their centres.
-std::vector<MovingBodies::Motion> motionsBetween(const MovingBodies& before, const MovingBodies& now) {
-  std::vector<MovingBodies::Motion> all;
-  for (std::size_t p = 0; p < now.frames().size(); ++p) {
-    const BodyFrame &from = before.frames()[p], &to = now.frames()[p];
-    all.push_back({minus(to.place(), from.place()), turnBetween(from, to), from.place()});
-  }
-  return all;
-}
 
 double extentOf(const Mesh& mesh) {
   double most = 0.0;
@@ -234,7 +224,7 @@ Solution MovingSolver::solveRounds() {
       next = stateAfter(solution, after);
     }
     settling = after;
-    std::swap(now_, next);
+    const State before = std::exchange(now_, std::move(next));
     const bool isBalanced = loads_.findMoments(comm(), parts_.cut.meshes, partOfSubdomain_, parts_.scene.model, solution);
     if (settling.isSettled() && isBalanced) {
       findApart();
@@ -244,7 +234,7 @@ Solution MovingSolver::solveRounds() {
       }
     }
     if (round < kMostRounds) {
-      if (comm().getRank() == 0) now_.bodies.goPartOfTheWay(next.bodies, relaxation.factorAfter(now_.change));
+      if (comm().getRank() == 0) now_.bodies.goPartOfTheWay(before.bodies, relaxation.factorAfter(now_.change));
       continue;
     }
     solution.converged = false;
@@ -298,24 +288,27 @@ void MovingSolver::verify(Solution& solution) const {
 }
 
 bool MovingSolver::isTooLong(const Solution& solution) const {
+  const bool touched = std::any_of(accepted_.states.begin(), accepted_.states.end(), [](const auto& one) { return one.second.closed(); });
+  const bool sticks = std::any_of(solution.pairs.begin(), solution.pairs.end(), [](const PairResult& result) {
+    return result.kind.restrictsSliding && result.state.status == PairStatus::Stick;
+  });
   int tooLong = 0;
   collectivelyOnRoot(comm(), "checking the length of a step", [&] {
+    if (!touched || !sticks) return;
     const Mesh present = now_.bodies.present();
     const Vector& beside = now_.bodies.beside();
     const int d = present.dimension;
-    int late = 0, closed = 0, sticks = 0;
+    int late = 0, closed = 0;
     for (const PairResult& result : solution.pairs) {
       if (!result.state.closed()) continue;
       ++closed;
       if (!result.kind.restrictsSliding) continue;
-      sticks += result.state.status == PairStatus::Stick;
       const ContactPair& pair = parts_.constraints.pairs[static_cast<std::size_t>(result.id)];
       double gap = pair.gap;
       for (const PairEnd& end : pair.ends) gap -= end.weight * dot(pair.normal, pointOf(beside.data() + Eigen::Index(end.node) * d, d));
       late += history_.closing(pair, gap, present, now_.bodies) > kLate;
     }
-    const bool touched = std::any_of(accepted_.states.begin(), accepted_.states.end(), [](const auto& one) { return one.second.closed(); });
-    tooLong = touched && sticks > 0 && late > kClosedLate * closed;
+    tooLong = late > kClosedLate * closed;
   });
   broadcastBytes(comm(), &tooLong, sizeof tooLong);
   return tooLong != 0;
@@ -324,7 +317,7 @@ bool MovingSolver::isTooLong(const Solution& solution) const {
 void MovingSolver::accept(const Solution& solution) {
   collectivelyOnRoot(comm(), "accepting a step", [&] {
     history_.accept(parts_.constraints.pairs, solution.pairs);
-    lastMotions_ = motionsBetween(accepted_.bodies, now_.bodies);
+    lastMotions_ = now_.bodies.motionsFrom(accepted_.bodies);
     history_.begin(now_.bodies, now_.bodies.present());
     accepted_ = now_;
   });
