@@ -195,8 +195,8 @@ bool StateSearch::solve(PairStates& next, double& turns) {
   return true;
 }
 
-/// Accuracy of solves that follow one of the final accuracy. What an accurate solve has disproved is not left to equally inaccurate ones
-/// again: they would find it again.
+/// Tolerance of the solves that follow a solve of the final accuracy. If that has disproved states of an inaccurate solve, later solves are
+/// more accurate: equally inaccurate ones would find the same states again.
 double StateSearch::between() const {
   const double last = solver_.tightest();
   return std::max(last, std::min(disproved_, std::sqrt(last * solver_.loosest())));

@@ -103,7 +103,7 @@ class StateSearch {
   bool predicts_ = true;
   int left_, solves_ = 0;
   double tolerance_ = 0.0;
-  double disproved_ = std::numeric_limits<double>::infinity();  // accuracy whose states an accurate solve has disproved, and less
+  double disproved_ = std::numeric_limits<double>::infinity();  // no solve is less accurate: an accurate one has disproved its states
   PairStates states_;
   ContactAnswer answer_;
   std::vector<int> violated_;

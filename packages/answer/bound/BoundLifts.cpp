@@ -53,8 +53,8 @@ typename SimplexField<D>::Nodal liftsOfSimplex(const Span<const int>& ofCell, co
 }  // namespace
 
 /// On simplices the lifts are displacements of the elements, and the work of their forces is that of the contact forces. On quadrilaterals
-/// they are not: there u_h is replaced by its interpolant, and the difference of the works is added; in 3D in all
-/// cells, because both differ on the sides between them.
+/// they are not: there u_h is replaced by its interpolant, and the difference of the works is added;
+/// in 3D in all cells, because both differ on the sides between them.
 template <int D>
 Lifts liftParts(const BoundParts<D>& parts, const BoundedSolution& solution, const std::map<GlobalId, Point>& lifts) {
   Lifts result;

@@ -25,8 +25,8 @@ using LinearTraction = std::array<Point, 4>;
 /// Local.
 WholeSide wholeSide(const SubdomainMesh& mesh, const BoundParts<3>& parts, const PlaceOfSide& place);
 
-/// The forces of a linear traction on the nodes of a cell become those on the nodes of its triangles, which are the same on opposite sides
-/// of a contact. Only for the first triangle of a whole side. Local.
+/// Replaces the forces of a linear traction on the nodes of a cell by those on the nodes of its triangles: opposite sides of a contact have
+/// the same triangles. Only for the first triangle of a whole side. Local.
 void replaceLinearTraction(const BoundedSolution& solution, const PlaceOfSide& place, const LinearTraction& traction, BoundParts<3>& parts);
 
 }  // namespace suture

@@ -3,8 +3,9 @@
 
 namespace suture {
 
-/// Jacobian of the map from the reference cell: columns are derivatives along its directions. Local. \param jets  shape functions with
-/// gradients at a place of the reference cell \param places  of the nodes: dimension x nodes
+/// Jacobian of the map from the reference cell: columns are derivatives along its directions. Local.
+/// \param jets    shape functions with gradients at a place of the reference cell
+/// \param places  nodes of the cell, dimension x nodes [length]
 template <typename Jets, typename Nodal>
 Eigen::Matrix<double, Nodal::RowsAtCompileTime, Nodal::RowsAtCompileTime> jacobianOf(const Jets& jets, const Nodal& places) {
   constexpr int d = Nodal::RowsAtCompileTime;
@@ -14,7 +15,7 @@ Eigen::Matrix<double, Nodal::RowsAtCompileTime, Nodal::RowsAtCompileTime> jacobi
   return map;
 }
 
-/// Value of a nodal field there.
+/// Value of a nodal field at a place of the reference cell. Local. \param jets  see jacobianOf() \param values  dimension x nodes
 template <typename Jets, typename Nodal>
 Eigen::Matrix<double, Nodal::RowsAtCompileTime, 1> valueOf(const Jets& jets, const Nodal& values) {
   Eigen::Matrix<double, Nodal::RowsAtCompileTime, 1> sum = Eigen::Matrix<double, Nodal::RowsAtCompileTime, 1>::Zero();

@@ -3,12 +3,12 @@
 
 namespace suture {
 
-/// Length of the next step of a fixed-point iteration x <- G(x), as a part of G(x) - x: 1 as long as it contracts quickly. Where it
-/// oscillates about its end, as where a corner passes the end of the other side, the step is shorter, by Aitken's method for vectors:
-/// between the last two steps the iteration is as on a line. Source: U. Kuettler, W. A. Wall, Computational Mechanics 43 (2008) 61. Local.
+/// Relaxation factor of a fixed-point iteration: x <- x + factor (G(x) - x). It is 1 as long as the iteration contracts quickly. If the
+/// iteration oscillates, for example where a corner passes the end of the other side, the factor follows from the last two changes by
+/// Aitken's method for vectors. Source: U. Kuettler, W. A. Wall, Computational Mechanics 43 (2008) 61. Local.
 class Relaxation {
  public:
-  /// \param change  G(x) - x
+  /// Factor of the next step, in (0, 1]. \param change  G(x) - x
   double factorAfter(const Vector& change);
 
  private:

@@ -21,8 +21,8 @@ class Settling {
   double scale(double beside) const;
   /// True if another round would change neither shapes nor states.
   bool isSettled() const { return isSettled_; }
-  /// Tolerance with which the next round is solved: a part of the change that it is expected to make; zero, to the end, if shapes are
-  /// expected to have settled after it.
+  /// Tolerance of the next round: a part of the change that it is expected to make. Zero, so that the round is solved to the tolerance of
+  /// the scene, if it is expected to be the last one.
   double tolerance() const;
   /// Change of the second round as a part of that of the first; the expected one before.
   double contraction() const { return contraction_; }
