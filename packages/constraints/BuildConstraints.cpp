@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -269,42 +270,61 @@ namespace {
 
 constexpr double kParallel = 1e-9;  // 1 - cosine of the angle between axes that count as the same
 constexpr double kTangent = 0.5;    // shortest tangential part of an axis that counts as tangential
+constexpr double kSameValue = 32.0 * std::numeric_limits<double>::epsilon();  // difference of values that is round-off, relative to places
 
-/// True if a rule fixes an axis, in either sense, at a value.
-bool fixes(const NodeRule& rule, const Point& axis, double value, int dimension) {
-  for (int k = 0; k < dimension; ++k) {
-    const double along = dot(rule.axes[k], axis);
-    if (rule.fixed[k] && std::abs(along) > 1.0 - kParallel && rule.value[k] == (along > 0.0 ? value : -value)) return true;
+/// What holds the nodes of a scene.
+struct Holds {
+  std::vector<const NodeRule*> ruleOf;  // by node
+  RigidGroupNodes groups;
+  int dimension;
+
+  /// Rule of a node that prescribes its displacement along an axis of the rule; null: it does not, or the displacement follows from others.
+  const NodeRule* fixing(int node, int axis) const {
+    const NodeRule* rule = ruleOf[static_cast<std::size_t>(node)];
+    bool follows = false;
+    if (rule && rule->fixed[static_cast<std::size_t>(axis)]) groups.forEachMaster(node, axis, [&](int, int, double) { follows = true; });
+    return rule && rule->fixed[static_cast<std::size_t>(axis)] && !follows ? rule : nullptr;
   }
-  return false;
-}
+  /// True if the displacement of a node along an axis, in either sense, is prescribed. \param within  difference that is round-off [length]
+  bool fixes(int node, const Point& axis, double value, double within) const {
+    for (int k = 0; k < dimension; ++k) {
+      const NodeRule* rule = fixing(node, k);
+      if (!rule) continue;
+      const double along = dot(rule->axes[static_cast<std::size_t>(k)], axis);
+      if (std::abs(along) > 1.0 - kParallel &&
+          std::abs(rule->value[static_cast<std::size_t>(k)] - (along > 0.0 ? value : -value)) <= within)
+        return true;
+    }
+    return false;
+  }
+};
 
 /// Tangents along which the carrying node and a node of the other side are held alike. \param ofTime  values change with time
-std::vector<Point> stillDirections(const ContactPair& pair, const std::vector<const NodeRule*>& ruleOf, int dimension, bool ofTime) {
+std::vector<Point> stillDirections(const ContactPair& pair, const Holds& holds, const Mesh& mesh, bool ofTime) {
   std::vector<Point> still;
-  const NodeRule* own = ruleOf[pair.node()];
-  for (int k = 0; own && k < dimension; ++k) {
-    if (!own->fixed[k] || (ofTime && own->value[k] != 0.0)) continue;
-    Point held = minus(own->axes[k], scaled(dot(own->axes[k], pair.normal), pair.normal));
+  for (int k = 0; k < holds.dimension; ++k) {
+    const NodeRule* own = holds.fixing(pair.node(), k);
+    if (!own) continue;
+    const Point& axis = own->axes[static_cast<std::size_t>(k)];
+    const double value = own->value[static_cast<std::size_t>(k)], within = kSameValue * (std::abs(value) + norm(mesh.point(pair.node())));
+    if (ofTime && value != 0.0) continue;
+    Point held = minus(axis, scaled(dot(axis, pair.normal), pair.normal));
     for (const Point& other : still) held = minus(held, scaled(dot(held, other), other));
     if (norm(held) < kTangent) continue;
-    const auto alike = [&](const PairEnd& end) {
-      const NodeRule* other = end.weight * pair.ends.front().weight < 0.0 ? ruleOf[end.node] : nullptr;
-      return other && fixes(*other, own->axes[k], own->value[k], dimension);
-    };
-    if (std::any_of(pair.ends.begin(), pair.ends.end(), alike)) still.push_back(scaled(1.0 / norm(held), held));
+    const auto alike = [&](const PairEnd& end) { return holds.fixes(end.node, axis, value, within); };
+    if (std::any_of(pair.ends.begin() + pair.own, pair.ends.end(), alike)) still.push_back(scaled(1.0 / norm(held), held));
   }
   return still;
 }
 
 }  // namespace
 
-void applyLaws(const ContactLaws& laws, const Mesh& mesh, Constraints& constraints) {
+void applyLaws(const ContactLaws& laws, const Mesh& mesh, const std::vector<NodeRule>& rules, Constraints& constraints) {
   constraints.laws = laws;
-  std::vector<const NodeRule*> ruleOf;
+  Holds holds{{}, RigidGroupNodes(constraints.rigidGroups, mesh.dimension), mesh.dimension};
   if (laws.restrictSliding()) {
-    ruleOf.assign(static_cast<std::size_t>(mesh.nodes()), nullptr);
-    for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
+    holds.ruleOf.assign(static_cast<std::size_t>(mesh.nodes()), nullptr);
+    for (const NodeRule& rule : rules) holds.ruleOf[static_cast<std::size_t>(rule.node)] = &rule;
   }
   for (ContactPiece& piece : constraints.pieces) {
     const auto isGlued = [&](int id) { return laws.of(constraints.pairs[static_cast<std::size_t>(id)].line).ignoresGap(); };
@@ -313,8 +333,12 @@ void applyLaws(const ContactLaws& laws, const Mesh& mesh, Constraints& constrain
   for (ContactPair& pair : constraints.pairs) {
     const ContactLaw& law = laws.of(pair.line);
     if (law.ignoresGap()) pair.gap = 0.0;
-    if (law.rows(mesh.dimension) > 1) pair.still = stillDirections(pair, ruleOf, mesh.dimension, !constraints.prescribed.empty());
+    if (law.rows(mesh.dimension) > 1) pair.still = stillDirections(pair, holds, mesh, !constraints.prescribed.empty());
   }
+}
+
+void applyLaws(const ContactLaws& laws, const Mesh& mesh, Constraints& constraints) {
+  applyLaws(laws, mesh, constraints.rules, constraints);
 }
 
 Matrix axesOf(const NodeRule& rule, int dimension) {

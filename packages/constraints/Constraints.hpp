@@ -81,6 +81,8 @@ struct Constraints {
 /// Sets the laws of the constraints. Pairs of a law that ignores the gap have none; pairs of a law that restricts sliding get the
 /// directions without sliding (ContactPair::still).
 void applyLaws(const ContactLaws& laws, const Mesh& mesh, Constraints& constraints);
+/// The same if the values of the rules do not say how the sides have moved against each other. \param rules  with values that say it
+void applyLaws(const ContactLaws& laws, const Mesh& mesh, const std::vector<NodeRule>& rules, Constraints& constraints);
 
 /// u_local = Q u for one node: row k of Q is axis k. `dimension` x `dimension`.
 Matrix axesOf(const NodeRule& rule, int dimension);

@@ -27,6 +27,7 @@ struct ContactPair {
   int line = -1;   ///< contact of the scene (place in the list `Contact`)
   int piece = -1;  ///< connected component of Gamma_c
   std::vector<PairEnd> ends;
+  int own = 1;  ///< number of ends on the carrying side, the first ones; single weights there may have either sign
   Point normal{0, 0, 0};
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
   double length = 0.0;      ///< tributary: integral of the carrying node's hat function [length or area]; axisymmetric: times 2 pi r [area]
@@ -52,7 +53,7 @@ struct ContactPair {
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.id), each(self.line), each(self.piece), each(self.ends), each(self.normal);
+    each(self.id), each(self.line), each(self.piece), each(self.ends), each(self.own), each(self.normal);
     each(self.gap), each(self.length), each(self.arc), each(self.position), each(self.still);
     each(self.past);
   }

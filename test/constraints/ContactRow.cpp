@@ -191,6 +191,46 @@ TEUCHOS_UNIT_TEST(ContactRow, SlidesNowhereAcrossAPlaneOfSymmetry) {
   }
 }
 
+// Only ends of the other side count: on second-order sides, ends of the own side may have weights of its sign.
+TEUCHOS_UNIT_TEST(ContactRow, SlidesIfOnlyNodesOfItsOwnSideAreHeldAlike) {
+  const Mesh mesh = stack(2);
+  for (const double other : {-1.0, 0.0, 0.5}) {  // value at the other side; negative: none
+    Constraints constraints;
+    ContactPair pair = pairOf(0, 1, 9, std::acos(0.0));
+    pair.line = 0;
+    pair.ends = {{1, 1.2}, {2, -0.2}, {9, -1.0}};
+    pair.own = 2;
+    constraints.pairs = {pair};
+    for (const int node : {1, 2, 9}) {
+      if (node == 9 && other < 0.0) continue;
+      ruleFor(constraints, node).fixed[0] = true;
+      ruleFor(constraints, node).value[0] = node == 9 ? other : 0.0;
+    }
+    applyLaws(ContactLaws({std::make_shared<RoughLaw>()}), mesh, constraints);
+    TEST_EQUALITY(constraints.pairs[0].still.size(), other == 0.0 ? 1u : 0u);
+  }
+}
+
+// A node of a rigid group that can move follows its masters, whatever its own value is: here the last one of a side that can move and turn.
+TEUCHOS_UNIT_TEST(ContactRow, SlidesWithARigidGroupThatCanMove) {
+  const Mesh mesh = stack(2);
+  for (const bool moves : {true, false}) {
+    std::vector<std::pair<std::string, std::string>> group{{"Group", "b1_bottom"}, {"Type", "Rigid Group"}, {"Point", "{1.0, 3.0}"}};
+    if (!moves) group.insert(group.end(), {{"Motion x", "0"}, {"Rotation z", "0"}});
+    Constraints constraints =
+        build(mesh, displacement("wall", "b0_right", "{0, 0}") + entry("platen", group), contact("line", "b0_top", "b1_bottom"));
+    applyLaws(ContactLaws({std::make_shared<RoughLaw>()}), mesh, constraints);
+    int still = 0;
+    for (const ContactPair& pair : constraints.pairs) {
+      const NodeRule* rule = ruleAt(constraints, pair.ends[1].node);
+      const bool isHeld = ruleAt(constraints, pair.ends[0].node) && ruleAt(constraints, pair.ends[0].node)->fixed[0];
+      if (isHeld) TEST_ASSERT(rule && rule->fixed[0] && rule->value[0] == 0.0);
+      still += !pair.still.empty();
+    }
+    TEST_EQUALITY(still, moves ? 0 : 1);
+  }
+}
+
 // Glued sides stay as meshed; guided or frictional sides close the gap of the mesh. Rows know which pairs can separate.
 TEUCHOS_UNIT_TEST(ContactRow, HasNoGapWhereTheLawKeepsTheMeshedGap) {
   const Mesh mesh = stack(2);

@@ -245,6 +245,28 @@ TEUCHOS_UNIT_TEST(MortarInSpace, CoversThePartThatBothFacesShare) {
 }
 
 // Sides of six and eight nodes choose the mortar automatically; all its conditions have forces in the direction of the pressure.
+// Sides that end together as drawn: a load makes one of them longer, by far less than an element. The pairs and their forces change by as
+// little.
+TEUCHOS_UNIT_TEST(MortarInSpace, HardlyChangesIfTheOtherSideEndsAStrainEarlier) {
+  const double strain = 1e-4;
+  for (const Cell cell : all) {
+    Mesh mesh = facing(cell, 3, 2, cell, 4, 3, 0.0);
+    const PairedSurface before = pairsOf(mesh, mortar(Contact::Carrier::SideA));
+    const std::map<int, double> drawn = forces(before);
+    move(mesh, 1, [&](const Point& p) { return Point{(1 - strain) * p[0], (1 - strain) * p[1], p[2]}; });
+    const PairedSurface after = pairsOf(mesh, mortar(Contact::Carrier::SideA));
+    TEST_EQUALITY(after.pairs.size(), before.pairs.size());
+    const std::map<int, double> strained = forces(after);
+    double largest = 0, change = 0;
+    for (const auto& [node, force] : drawn) {
+      const auto now = strained.find(node);
+      largest = std::max(largest, std::abs(force));
+      change = std::max(change, std::abs(force - (now == strained.end() ? 0.0 : now->second)));
+    }
+    TEST_COMPARE(change, <, 20 * strain * largest);
+  }
+}
+
 TEUCHOS_UNIT_TEST(MortarInSpace, IsChosenWhereNodesCannotCarryThePressure) {
   for (const Cell cell : all) {
     const bool second = cell == Cell::Tetrahedron10 || cell == Cell::Hexahedron20;

@@ -259,6 +259,7 @@ class Mortar {
     };
     for (const auto& [at, value] : own)
       if (at != node) add(at, sign_ * value / row.weight);
+    pair.own = static_cast<int>(pair.ends.size());
     for (const auto& [at, value] : others) add(at, -sign_ * value / row.weight);
     return pair;
   }

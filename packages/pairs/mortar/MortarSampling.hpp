@@ -28,7 +28,12 @@ struct MortarSamples {
   /// reaches it.
   ShapeValues reach{};
 
-  bool isWhole() const { return covered > 1 - 1e-8; }
+  /// True if the other face covers the side so far that quadratic functions of a multiplier have positive integrals there.
+  bool isWhole() const { return covered > kWhole; }
+
+  /// Sides that end together as drawn cover each other except for a strain once they are loaded: they remain whole. All integrals are
+  /// positive down to .94 (nine nodes, a corner uncovered), .89 (eight nodes), .75 (three nodes in 2D) and .11 (six nodes).
+  static constexpr double kWhole = 0.95;
 };
 
 /// Nodes where a face ends, with the direction of its rim there; zero at corners, and at the ends of lines. Local.

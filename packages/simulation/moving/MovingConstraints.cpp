@@ -137,7 +137,7 @@ Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const
   Constraints constraints = ofPresent(present, drives);
   setRules(factors, bodies, present, drives, constraints);
   constraints.prescribed.clear();
-  applyLaws(scene_.laws, present, constraints);
+  applyLaws(scene_.laws, present, fromDrawn(constraints.rules, bodies), constraints);
   constraints.notes.clear();
   const int d = drawn_.dimension;
   for (ContactPair& pair : constraints.pairs) {
@@ -147,6 +147,15 @@ Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const
     history.setPast(pair, gap, present, bodies);
   }
   return constraints;
+}
+
+/// The rules with displacements from the drawn places as values: two sides may both be held where they are placed, after different motions.
+std::vector<NodeRule> MovingConstraints::fromDrawn(std::vector<NodeRule> rules, const MovingBodies& bodies) const {
+  for (NodeRule& rule : rules) {
+    const Point x = drawn_.point(rule.node), moved = minus(bodies.frameOf(rule.node).at(x), x);
+    for (std::size_t k = 0; k < 3; ++k) rule.value[k] += dot(rule.axes[k], moved);
+  }
+  return rules;
 }
 
 /// Rule of a node with prescribed components, for displacements from its placed position. If all are prescribed, its axes turn with the

@@ -38,6 +38,7 @@ class MovingConstraints {
   Drive driveOf(const RigidGroup& group, const std::vector<double>& factors, const MovingBodies& bodies) const;
   /// Displacements that conditions prescribe at the nodes of the drawn mesh, from their drawn places, by node.
   std::map<int, Point> prescribedAt(const std::vector<double>& factors) const;
+  std::vector<NodeRule> fromDrawn(std::vector<NodeRule> rules, const MovingBodies& bodies) const;
   NodeRule heldRule(const NodeRule& drawn, const Point& given, const MovingBodies& bodies) const;
   void setRules(const std::vector<double>& factors, const MovingBodies& bodies, const Mesh& present, const Drives& drives,
                 Constraints& constraints) const;

@@ -32,14 +32,13 @@ RelativeMotion SlipHistory::motionOf(const ContactPair& pair, const Mesh& mesh, 
   const int own = pair.node();
   MovedNodes a, b;  // an obstacle rests
   a.from = before_.frameOf(own), a.to = bodies.frameOf(own);
-  for (const PairEnd& end : pair.ends) {
-    const bool isOwn = bodies.partOf(end.node) == bodies.partOf(own);
-    MovedNodes& nodes = isOwn ? a : b;
-    if (!isOwn) b.from = before_.frameOf(end.node), b.to = bodies.frameOf(end.node);
+  if (pair.own < static_cast<int>(pair.ends.size()))
+    b.from = before_.frameOf(pair.ends.back().node), b.to = bodies.frameOf(pair.ends.back().node);
+  for (std::size_t i = 0; i < pair.ends.size(); ++i) {
+    const PairEnd& end = pair.ends[i];
+    MovedNodes& nodes = static_cast<int>(i) < pair.own ? a : b;
     nodes.add(end.weight, nodes.from.drawnAt(shape_.point(end.node)), nodes.to.drawnAt(mesh.point(end.node)));
   }
-  const bool isWithinPart = std::abs(a.weight) < 0.5 * std::abs(pair.ends.front().weight);  // a part that touches itself: the sum is zero
-  if (isWithinPart) b.from = a.from, b.to = a.to;
   return {a, b};
 }
 
