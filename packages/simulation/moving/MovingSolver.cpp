@@ -49,6 +49,7 @@ MovingSolver::MovingSolver(SceneParts& parts, std::shared_ptr<const DrawnScene> 
     std::vector<bool> rests;
     for (const std::string& body : drawn_->mesh.bodies) rests.push_back(!movesFar(parts_.scene, body));
     accepted_.bodies = MovingBodies(drawn_->mesh, drawn_->constraints, rests);
+    accepted_.states = KeptStates(drawn_->mesh.dimension);
     history_.begin(accepted_.bodies, accepted_.bodies.present());
     partOfSubdomain_.assign(static_cast<std::size_t>(parts_.cut.partition.subdomains()), 0);
     for (int e = 0; e < drawn_->mesh.elements(); ++e)
@@ -120,9 +121,8 @@ Start MovingSolver::startOfRound() const {
   };
   std::vector<StateOf> states;
   for (const ContactPair& pair : parts_.constraints.pairs) {  // on rank 0
-    const auto found = now_.states.find({pair.line, pair.node()});
-    if (found != now_.states.end())
-      states.push_back({pair.id, found->second});
+    if (now_.states.contains(pair))
+      states.push_back({pair.id, now_.states.of(pair)});
     else
       states.push_back({pair.id, pair.gap > 0.0 ? ContactState() : ContactState(parts_.scene.laws.of(pair.line).pressed())});
   }
@@ -151,12 +151,11 @@ MovingSolver::State MovingSolver::stateAfter(const Solution& solution, Settling&
     seen[0] = next.change.cwiseAbs().maxCoeff();
     seen[1] = next.bodies.beside().cwiseAbs().maxCoeff();
     bool sameStates = true;
-    next.states.clear();
-    for (const PairResult& pair : solution.pairs) {
-      const std::pair<int, int> key{pair.line, parts_.constraints.pairs[static_cast<std::size_t>(pair.id)].node()};
-      next.states[key] = pair.state;
-      const auto found = now_.states.find(key);
-      sameStates = sameStates && (found == now_.states.end() ? !pair.state.closed() : found->second.status == pair.state.status);
+    next.states = KeptStates(drawn_->mesh.dimension);
+    for (const PairResult& result : solution.pairs) {
+      const ContactPair& pair = parts_.constraints.pairs[static_cast<std::size_t>(result.id)];
+      next.states.keep(pair, result.state);
+      sameStates = sameStates && now_.states.statusOf(pair) == result.state.status;
     }
     seen[2] = sameStates;
   });
@@ -266,8 +265,7 @@ void MovingSolver::findApart() {
     const double scale = Settling(extent_).scale(now_.bodies.beside().cwiseAbs().maxCoeff());
     for (const ContactPair& pair : constraints_->pairsOf(parts_.path->presentTime(), now_.bodies, now_.bodies.present())) {
       if (!parts_.scene.laws.of(pair.line).separates()) continue;
-      const auto found = now_.states.find({pair.line, pair.node()});
-      const bool isClosed = found != now_.states.end() && found->second.closed();
+      const bool isClosed = now_.states.statusOf(pair) != PairStatus::Open;
       const double apart = (isClosed ? std::abs(pair.gap) : std::max(0.0, -pair.gap)) / scale;
       if (apart <= worst) continue;
       worst = apart;
@@ -288,7 +286,7 @@ void MovingSolver::verify(Solution& solution) const {
 }
 
 bool MovingSolver::isTooLong(const Solution& solution) const {
-  const bool touched = std::any_of(accepted_.states.begin(), accepted_.states.end(), [](const auto& one) { return one.second.closed(); });
+  const bool touched = accepted_.states.anyClosed();
   const bool sticks = std::any_of(solution.pairs.begin(), solution.pairs.end(), [](const PairResult& result) {
     return result.kind.restrictsSliding && result.state.status == PairStatus::Stick;
   });
@@ -359,7 +357,6 @@ Solution MovingSolver::goOnFrom(const PathState& state) {
     SlipHistory::Pasts pasts;
     SlipHistory::Keys closed;
     for (const auto& [at, pair] : pairOf) {
-      accepted_.states[at] = pair->state;
       pasts[at] = {{0, 0, 0}, pair->slipped, pair->dissipated};
       if (pair->state.closed()) closed.insert(at);
     }
@@ -371,6 +368,9 @@ Solution MovingSolver::goOnFrom(const PathState& state) {
   loads_.goOnFrom(std::move(moments));
   now_ = accepted_;
   place(parts_.path->time());
+  for (const ContactPair& pair : parts_.constraints.pairs)  // on rank 0
+    if (const auto found = pairOf.find({pair.line, pair.node()}); found != pairOf.end()) accepted_.states.keep(pair, found->second->state);
+  now_.states = accepted_.states;
   Solution solution;
   solution.converged = true;
   solution.energy = parts_.path->rows.back().energy;

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/simulation/SceneParts.hpp>
 #include <suture/simulation/StepSolver.hpp>
+#include <suture/simulation/moving/KeptStates.hpp>
 #include <suture/simulation/moving/MovingConstraints.hpp>
 #include <suture/simulation/moving/MovingLoads.hpp>
 #include <suture/simulation/moving/Relaxation.hpp>
@@ -38,8 +39,8 @@ class MovingSolver : public StepSolver {
   /// Shapes and states between two rounds; on rank 0.
   struct State {
     MovingBodies bodies;
-    std::map<std::pair<int, int>, ContactState> states;  // by contact and carrying node
-    Vector change;                                       // change of the places of all nodes in the last round
+    KeptStates states;
+    Vector change;  // change of the places of all nodes in the last round
   };
   /// Largest distance of closed pairs, and penetration of others, between the shapes of a round, and its place.
   struct Apart {
