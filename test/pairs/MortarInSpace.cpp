@@ -245,6 +245,30 @@ TEUCHOS_UNIT_TEST(MortarInSpace, CoversThePartThatBothFacesShare) {
 }
 
 // Sides of six and eight nodes choose the mortar automatically; all its conditions have forces in the direction of the pressure.
+// The normal at an edge is that of both faces if the other face ends there, and a strain before or after it: here a bent face on a flat
+// one, whose normals differ.
+TEUCHOS_UNIT_TEST(MortarInSpace, HasTheSameNormalsIfTheOtherSideEndsAStrainEarlier) {
+  const double strain = 1e-4;
+  for (const Cell cell : all) {
+    std::vector<std::map<int, Point>> normals;
+    for (const double change : {0.0, strain, -strain}) {
+      Mesh mesh = facing(cell, 3, 2, cell, 4, 3, 0.0);
+      move(mesh, 0, [&](const Point& p) { return Point{p[0], p[1], p[2] - 0.05 * p[0] * p[0]}; });
+      move(mesh, 1, [&](const Point& p) { return Point{(1 - change) * (p[0] - 1) + 1, (1 - change) * (p[1] - 0.75) + 0.75, p[2]}; });
+      Contact contact = mortar(Contact::Carrier::SideA);
+      std::map<int, Point>& all = normals.emplace_back();
+      for (const ContactPair& pair : pairsOf(mesh, contact).pairs) all[pair.node()] = pair.normal;
+    }
+    double most = 0;
+    for (std::size_t i = 1; i < normals.size(); ++i) {
+      TEST_EQUALITY(normals[i].size(), normals[0].size());
+      for (const auto& [node, normal] : normals[0])
+        if (normals[i].count(node)) most = std::max(most, norm(minus(normals[i].at(node), normal)));
+    }
+    TEST_COMPARE(most, <, 5 * strain);
+  }
+}
+
 // Sides that end together as drawn: a load makes one of them longer, by far less than an element. The pairs and their forces change by as
 // little.
 TEUCHOS_UNIT_TEST(MortarInSpace, HardlyChangesIfTheOtherSideEndsAStrainEarlier) {

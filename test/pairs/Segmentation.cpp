@@ -75,6 +75,12 @@ TEUCHOS_UNIT_TEST(Segmentation, MeetsTheNearestSideFaceToFaceOnly) {
   TEST_FLOATING_EQUALITY(met->gap, 0.25, 1e-14);
   TEST_FLOATING_EQUALITY(met->other->at(met->eta)[0], 0.5, 1e-14);
   TEST_ASSERT(!segmentation.nearest({5, 1, 0}, {0, 1, 0}, 0));
+  // Beyond the right end of the last side: the end itself, up to a distance.
+  const auto beyond = segmentation.nearest({4.05, 1, 0}, {0, 1, 0}, 0, 0.1);
+  TEST_ASSERT(beyond && beyond->other == &upper[1]);
+  TEST_FLOATING_EQUALITY(beyond->other->at(beyond->eta)[0], 4.0, 1e-14);
+  TEST_FLOATING_EQUALITY(beyond->gap, 0.25, 1e-14);
+  TEST_ASSERT(!segmentation.nearest({4.05, 1, 0}, {0, 1, 0}, 0, 0.04));
   // The upper side faces the other way: it meets a point inside its body, but none below it, behind the body's own lower side.
   const auto behind = segmentation.nearest({0.5, 1.5, 0}, {0, -1, 0}, 0);
   TEST_ASSERT(behind && behind->other == &upper[2]);

@@ -180,28 +180,42 @@ Point FaceSampling::rowNormal(int side, int node) const {
   const MortarFace& own = own_[side];
   const Point &normal = own.normal(node), from = own.points()[node];
   const Projection projection(normal, from);
+  auto facing = facingAt(from, projection, {from}, own.body(), 0.0);
+  if (!facing) {
+    const double away = (1 - MortarSamples::kReach) * own.size();
+    const Point right = scaled(away, projection.first), up = scaled(away, projection.second);
+    facing = facingAt(from, projection, {plus(from, right), minus(from, right), plus(from, up), minus(from, up)}, own.body(), away);
+  }
+  if (!facing) return normal;
+  const auto rim = rim_.find(surface_.nodesOf(side)[node]);
+  return rowNormalOf(normal, *facing, rim == rim_.end() ? nullptr : &rim->second);
+}
+
+/// Normal of the nearest opposite facet at the origin of a projection. \param from  the origin \param around  points of the search
+/// \param beyond  distance from an edge up to which a facet extends [length]
+std::optional<Point> FaceSampling::facingAt(const Point& from, const Projection& projection, const std::vector<Point>& around, int body,
+                                            double beyond) const {
   const MortarFace* nearest = nullptr;
   ReferencePoint at{0, 0, 0};
   double least = 0;
-  const Candidates candidates = along({from}, normal, own.body());
+  const Candidates candidates = along(around, projection.along, body);
   for (const Facet* facet : candidates.facing) {
     Polygon polygon = projection(facet->points);
     std::reverse(polygon.begin(), polygon.end());
     const auto parts = convexParts(polygon);
-    const double beyond = kBeyond / kSnap * tolerance(*facet);
-    if (std::none_of(parts.begin(), parts.end(), [&](const auto& corners) { return contains(part(polygon, corners), {0, 0}, beyond); }))
+    const double within = std::max(beyond, kBeyond / kSnap * tolerance(*facet));
+    if (std::none_of(parts.begin(), parts.end(), [&](const auto& corners) { return contains(part(polygon, corners), {0, 0}, within); }))
       continue;
     const auto place = ProjectedFace(other_[facet->side], facet->nodes, projection).meet({0, 0});
     if (!place) continue;
-    const double gap = std::abs(dot(minus(place->point, from), normal));
+    const double gap = std::abs(dot(minus(place->point, from), projection.along));
     if (gap > contact_.reach || (nearest && gap >= least) || isThrough(*facet, {0, 0}, 0.0, projection, candidates.leaving)) continue;
     nearest = &other_[facet->side];
     at = place->at;
     least = gap;
   }
-  if (!nearest) return normal;
-  const auto rim = rim_.find(surface_.nodesOf(side)[node]);
-  return rowNormalOf(normal, nearest->normalAt(at), rim == rim_.end() ? nullptr : &rim->second);
+  if (!nearest) return std::nullopt;
+  return nearest->normalAt(at);
 }
 
 /// Adds the intersections of a facet with the opposite facets.

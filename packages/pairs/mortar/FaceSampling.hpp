@@ -57,6 +57,8 @@ class FaceSampling : public MortarSampling {
   };
   /// Candidates for the lines along a normal through some points.
   Candidates along(const std::vector<Point>& points, const Point& normal, int body) const;
+  std::optional<Point> facingAt(const Point& from, const Projection& projection, const std::vector<Point>& around, int body,
+                                double beyond) const;
   bool isThrough(const Facet& facet, const PlanePoint& place, double from, const Projection& projection,
                  const std::vector<const Facet*>& leaving) const;
   double tolerance(const Facet& facet) const;

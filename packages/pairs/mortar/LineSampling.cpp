@@ -84,7 +84,7 @@ LineSampling::Nearer LineSampling::nearer(const Segment& own, double xi, const S
 Point LineSampling::rowNormal(int side, int node) const {
   const Segment& own = own_[side];
   const Point &normal = own.normal(node), from = own.point(node);
-  const auto met = segmentation_.nearest(from, normal, own.body());
+  const auto met = segmentation_.nearest(from, normal, own.body(), (1 - MortarSamples::kReach) * own.length());
   if (!met) return normal;
   const auto rim = rim_.find(surface_.nodesOf(side)[node]);
   return rowNormalOf(normal, met->other->normalAt(met->eta), rim == rim_.end() ? nullptr : &rim->second);

@@ -58,15 +58,14 @@ std::map<int, Point> MortarFace::drawnNormals(const Surface& surface) {
 
 MortarFace::MortarFace(const Surface& surface, int side, int body, const std::map<int, Point>* drawn)
     : cell_(sideCell(static_cast<int>(surface.nodesOf(side).size()))), body_(body) {
-  double size = 0;
   for (const int node : surface.nodesOf(side)) {
     points_.push_back(surface.at(node).position);
     normals_.push_back(surface.normal(node));
-    size = std::max(size, norm(minus(points_.back(), points_.front())));
+    size_ = std::max(size_, norm(minus(points_.back(), points_.front())));
   }
   const int count = static_cast<int>(points_.size()), corners = vertices();
   const auto isBetween = [&](int middle, int a, int b) {
-    return norm(minus(scaled(2, points_[middle]), plus(points_[a], points_[b]))) <= kStraightEdge * size;
+    return norm(minus(scaled(2, points_[middle]), plus(points_[a], points_[b]))) <= kStraightEdge * size_;
   };
   for (int k = 0; k < corners && count > corners; ++k) straight_ = straight_ && isBetween(corners + k, k, (k + 1) % corners);
   if (straight_) {
@@ -75,8 +74,8 @@ MortarFace::MortarFace(const Surface& surface, int side, int body, const std::ma
   } else {
     facets_ = linearCells(count, 3);
   }
-  if (corners == 4) distortion_ = norm(minus(plus(points_[0], points_[2]), plus(points_[1], points_[3]))) / size;
-  if (count == 9) distortion_ = std::max(distortion_, norm(minus(scaled(2, points_[8]), plus(points_[0], points_[2]))) / size);
+  if (corners == 4) distortion_ = norm(minus(plus(points_[0], points_[2]), plus(points_[1], points_[3]))) / size_;
+  if (count == 9) distortion_ = std::max(distortion_, norm(minus(scaled(2, points_[8]), plus(points_[0], points_[2]))) / size_);
   if (distortion_ <= kStraightEdge) distortion_ = 0.0;
   // A property of the drawn element: while bodies move, loads bend flat faces by more than this angle.
   std::vector<Point> shape = normals_;

@@ -47,6 +47,8 @@ class MortarFace {
     return choice == Contact::Multipliers::Quadratic ? static_cast<int>(points_.size()) : vertices();
   }
   const std::vector<Point>& points() const { return points_; }
+  /// Largest distance of its nodes from the first one.
+  double size() const { return size_; }
   /// Outward normal of the face at a node of the element, averaged over the adjacent sides.
   const Point& normal(int node) const { return normals_[node]; }
   /// Outward normal at a point of the element, interpolated between its nodes.
@@ -80,7 +82,7 @@ class MortarFace {
   std::vector<Point> points_, normals_;
   std::vector<std::vector<int>> facets_;
   bool straight_ = true, curved_ = false;
-  double distortion_ = 0.0;
+  double distortion_ = 0.0, size_ = 0.0;
 };
 
 /// An element in the plane of a projection.

@@ -18,10 +18,6 @@ namespace suture {
 namespace {
 
 constexpr double kParallel = 1e-13;  // difference up to which two normals count as equal
-// Largest value of a node's hat function on the covered part below which the node carries no condition. At the end of a side on a smooth
-// partner the pressure of like bodies behaves as r^-0.23: its mean weighted with the hat function of a node beyond the end is up to
-// reach^-0.23 times the mean of a node at the end (2.5 % more here, 17 % more at one half, unbounded towards zero).
-constexpr double kReach = 0.9;
 constexpr double kCoversSide = 0.9;  // fraction of each side that is covered if the other face has no end on this one
 constexpr double kDistinct = 1e-8;   // ratio of pivots up to which the shape functions are distinct on a covered part in 3D
 constexpr double kMuchFiner = 2.0;   // intervals of one side per interval of the other
@@ -212,7 +208,7 @@ class Mortar {
 
   /// A node of both faces, as at the tip of a crack, cannot separate from itself: it carries no condition.
   bool isShared(int node) const { return other_ && other_->nodes().count(node) > 0; }
-  bool isReached(int node) const { return reach_.at(node) >= kReach && !halved_.count(node) && !isShared(node); }
+  bool isReached(int node) const { return reach_.at(node) >= MortarSamples::kReach && !halved_.count(node) && !isShared(node); }
 
   std::map<int, int> findHeirs() const {
     std::map<int, int> heirs;

@@ -34,6 +34,10 @@ struct MortarSamples {
   /// Sides that end together as drawn cover each other except for a strain once they are loaded: they remain whole. All integrals are
   /// positive down to .94 (nine nodes, a corner uncovered), .89 (eight nodes), .75 (three nodes in 2D) and .11 (six nodes).
   static constexpr double kWhole = 0.95;
+  /// Largest value of a node's hat function on the covered part below which the node carries no condition. At the end of a side on a smooth
+  /// partner the pressure of like bodies behaves as r^-0.23: its mean weighted with the hat function of a node beyond the end is up to
+  /// reach^-0.23 times the mean of a node at the end (2.5 % more here, 17 % more at one half, unbounded towards zero).
+  static constexpr double kReach = 0.9;
 };
 
 /// Nodes where a face ends, with the direction of its rim there; zero at corners, and at the ends of lines. Local.
@@ -52,7 +56,9 @@ class MortarSampling {
 
   /// Number of multiplier functions on a side, one for each of its first nodes. \param whole  the other face covers the whole side
   virtual int functions(int side, bool whole) const = 0;
-  /// Normal of the condition at a node of a side, outward; the side's own normal if nothing is opposite.
+  /// Normal of the condition at a node of a side, outward; the side's own normal if nothing is opposite. A node that is as far beyond the
+  /// end of the other face as nodes with a condition may be is opposite to that end: sides that end together as drawn overlap by a strain
+  /// once they are loaded, with either sign.
   virtual Point rowNormal(int side, int node) const = 0;
   /// Quadrature points of a side along one direction, split wherever a side of the other face begins.
   virtual MortarSamples sample(int side, const Point& normal) const = 0;

@@ -87,8 +87,24 @@ std::vector<int> Segmentation::candidates(const std::vector<Point>& nodes, const
   return found;
 }
 
-std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, const Point& direction, int body) const {
-  return nearest(from, direction, candidates({from}, direction, body));
+std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, const Point& direction, int body, double beyond) const {
+  const auto direct = nearest(from, direction, candidates({from}, direction, body));
+  if (direct || beyond == 0.0) return direct;
+  const Point aside{-beyond * direction[1], beyond * direction[0], 0};
+  const std::vector<int> near = candidates({plus(from, aside), minus(from, aside)}, direction, body);
+  std::optional<Meeting> best;
+  double least = beyond;
+  for (const int i : near)
+    for (int end = 0; end < 2; ++end) {
+      const Point way = minus(others_[i].end(end), from);
+      const double away = std::abs(cross(way, direction)[2]), eta = end == 0 ? -1.0 : 1.0;
+      const Meeting met{&others_[i], eta, dot(way, direction)};
+      if (away > least || std::abs(met.gap) > reach_ || dot(normalAt(others_[i], eta), direction) > -kFacing) continue;
+      if (isThrough(met, from, direction, near)) continue;
+      least = away;
+      best = met;
+    }
+  return best;
 }
 
 std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, const Point& direction,

@@ -23,9 +23,10 @@ class Segmentation {
   };
   /// Meeting with one side of the other surface; nothing if the line misses it or the normals differ by less than 120 degrees.
   static std::optional<Meeting> meet(const Point& from, const Point& direction, const MortarSegment& other);
-  /// Nearest meeting with any side of the other surface, before or behind `from`, except those that are reached only through a body. \param
-  /// body  body of `from`: only other bodies are met
-  std::optional<Meeting> nearest(const Point& from, const Point& direction, int body) const;
+  /// Nearest meeting with any side of the other surface, before or behind `from`, except those that are reached only through a body; if the
+  /// line misses all sides, the end of a side that is nearest to it. \param body  body of `from`: only other bodies are met
+  /// \param beyond  distance of the line from that end [length]
+  std::optional<Meeting> nearest(const Point& from, const Point& direction, int body, double beyond = 0.0) const;
 
   /// Part of a side for which one side of the other surface is the nearest.
   struct Overlap {
