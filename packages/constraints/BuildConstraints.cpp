@@ -196,10 +196,12 @@ void chooseCarrier(const Mesh& mesh, const RigidGroupNodes& rigid, ContactSurfac
 }
 
 Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
-                  const ContactScales& scales, Problems& problems) {
+                  const ContactScales& scales, KeptChoices* choices, Problems& problems) {
   const bool isLater = !mesh.drawn.empty();
-  for (ContactSurface& contact : contacts)
+  for (ContactSurface& contact : contacts) {
     for (ContactFace* face : {&contact.a, &contact.b}) face->compliance = complianceOf(mesh, *face, scales);
+    if (choices) contact.choices = &(*choices)[contact.number];
+  }
   checkRoles(mesh, conditions, contacts, problems);
 
   Constraints constraints;
@@ -251,19 +253,19 @@ std::vector<Condition> prepared(std::vector<Condition> conditions, const LoadSte
 Schema contactSchema() { return contactSchema(Frictionless::kName, Registry<ContactLaw>::instance().schemas()); }
 
 Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
-                             const ContactScales& scales, const LoadSteps& steps, const ConditionChange& change) {
+                             const ContactScales& scales, const LoadSteps& steps, const ConditionChange& change, KeptChoices* choices) {
   Problems problems;
   const std::vector<Condition> sound = prepared(conditionsOn(mesh, conditions, problems), steps, change);
-  return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, problems);
+  return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, choices, problems);
 }
 
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
-                             const ContactScales& scales, const LoadSteps& steps, const ConditionChange& change) {
+                             const ContactScales& scales, const LoadSteps& steps, const ConditionChange& change, KeptChoices* choices) {
   Problems problems;
   Constants known = constants;
   known.dimension = mesh.dimension;
   const std::vector<Condition> sound = prepared(readConditions(mesh, conditionList, known, problems), steps, change);
-  return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, problems);
+  return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, choices, problems);
 }
 
 namespace {

@@ -40,17 +40,20 @@ using ConditionChange = std::function<void(Condition& condition)>;
 ///
 /// \param scales  material data: stiffer bodies keep more of their shape when pressed together
 /// \param steps  gives conditions their factors
+/// \param choices  of mortars on an earlier shape, which are kept where possible and replaced; null: none
 /// \throws InputError  all of: unknown group (nearest, known); a group in contradictory roles (a contact side that a displacement holds as
 ///                     a whole, both sides of one contact the same group or the same body, a side in two contacts); sides that do not
 ///                     match (nodes on each, nodes without partner, distance); a side that is not on the boundary; contradictory
 ///                     prescribed values (place, the two conditions); an expression that cannot be read, or has no finite value
 ///                     (place).
 Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
-                             const ContactScales& scales = {}, const LoadSteps& steps = {}, const ConditionChange& change = {});
+                             const ContactScales& scales = {}, const LoadSteps& steps = {}, const ConditionChange& change = {},
+                             KeptChoices* choices = nullptr);
 
 /// Reads conditions and contacts from a scene. \param conditions  its list `Boundary Conditions` \param contact  its list `Contact`
 /// \param constants  for their expressions
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {},
-                             const ContactScales& scales = {}, const LoadSteps& steps = {}, const ConditionChange& change = {});
+                             const ContactScales& scales = {}, const LoadSteps& steps = {}, const ConditionChange& change = {},
+                             KeptChoices* choices = nullptr);
 
 }  // namespace suture

@@ -6,6 +6,7 @@
 #include <suture/mesh/Surface.hpp>
 #include <suture/pairs/Obstacle.hpp>
 #include <suture/pairs/Overclosure.hpp>
+#include <suture/pairs/mortar/MortarChoices.hpp>
 
 #include <limits>
 #include <map>
@@ -70,6 +71,8 @@ struct Contact {
 struct ContactSurface : Contact {
   int number = -1;   ///< place in the scene's list
   ContactFace a, b;  ///< b is empty for a rigid obstacle
+  /// Choices of its mortar on other shapes of the faces, which are kept where possible and replaced; null: none. Owned by the caller.
+  MortarChoices* choices = nullptr;
 
   double compliance() const { return a.compliance + b.compliance; }
   /// True if both faces lie on the same single body, as those of a crack. Otherwise a body that is on both faces does not touch itself.

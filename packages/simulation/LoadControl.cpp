@@ -156,8 +156,8 @@ class Search {
     }
     if (held_ > 0)
       trial_.constraints = [&all = scene_.constraints, &supports = supports_, values = Vector(unknowns.tail(held_))](
-                               const Mesh& mesh, const ConditionChange& change) {
-        Constraints constraints = all(mesh, change);
+                               const Mesh& mesh, const ConditionChange& change, KeptChoices* choices) {
+        Constraints constraints = all(mesh, change, choices);
         supports.addTo(constraints, values);
         return constraints;
       };

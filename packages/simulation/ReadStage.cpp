@@ -22,7 +22,8 @@ Mesh readBodies(const Comm& comm, const Scene& scene) {
 
 Constraints readConstraints(const Comm& comm, const Mesh& mesh, const Scene& scene) {
   return onRoot(comm, "building the constraints", [&] {
-    Constraints constraints = scene.constraints(mesh, [&](Condition& condition) { condition.movesFar = movesFar(scene); });
+    Constraints constraints = scene.constraints(
+        mesh, [&](Condition& condition) { condition.movesFar = movesFar(scene); }, nullptr);
     applyLaws(scene.laws, mesh, constraints);
     constraints.notes.insert(constraints.notes.begin(), mesh.notes.begin(), mesh.notes.end());
     return constraints;

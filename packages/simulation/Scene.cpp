@@ -196,9 +196,9 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   for (const Condition& condition : all) named.emplace_back(condition.name, formOf(condition.type).name);
   scene.steps = LoadSteps(scene.settings().sublist("Load Steps"), named, {});
   checkNames(scene, named);
-  scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings()), steps = scene.steps](const Mesh& whole,
-                                                                                                       const ConditionChange& change) {
-    return buildConstraints(whole, all, contacts, scales, steps, change);
+  scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings()), steps = scene.steps](
+                          const Mesh& whole, const ConditionChange& change, KeptChoices* choices) {
+    return buildConstraints(whole, all, contacts, scales, steps, change, choices);
   };
   requestAccuracy(scene, contacts, supportsAmong(named), curvedGroups(all, contacts));
   return scene;
@@ -220,9 +220,10 @@ Scene sceneOf(const SceneFile& file) {
   checkNames(scene, named);
   if (!scene.lines.empty()) scene.coat = [all](Mesh& mesh) { addCoatings(mesh, all->sublist("Contact")); };
   scene.mesh = [all, folder = file.folder](const Comm& comm) { return readMesh(comm, all->sublist("Mesh"), folder); };
-  scene.constraints = [all, scales = scalesOf(scene.model, *all), steps = scene.steps](const Mesh& mesh, const ConditionChange& change) {
-    return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales, steps,
-                            change);
+  scene.constraints = [all, scales = scalesOf(scene.model, *all), steps = scene.steps](const Mesh& mesh, const ConditionChange& change,
+                                                                                       KeptChoices* choices) {
+    return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales, steps, change,
+                            choices);
   };
   for (const SceneFile& level : nestedLevels(file)) {
     scene.levels.push_back(sceneOf(level));

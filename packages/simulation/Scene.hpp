@@ -26,8 +26,8 @@ struct Scene {
   std::function<Mesh(const Comm&)> mesh;
   /// Adds the coatings of softened contacts to the mesh with its bodies; on rank 0. Empty: there are none.
   std::function<void(Mesh&)> coat{};
-  /// Rules, pairs and pieces of the mesh with its bodies, without contact laws. On rank 0.
-  std::function<Constraints(const Mesh&, const ConditionChange&)> constraints;
+  /// Rules, pairs and pieces of the mesh with its bodies, without contact laws; see buildConstraints(). On rank 0.
+  std::function<Constraints(const Mesh&, const ConditionChange&, KeptChoices*)> constraints;
   ElasticModel model;
   std::vector<SubdomainKind> kinds;           ///< physics of each body; empty: all elastic
   std::vector<std::string> contacts;          ///< names of the contact lines; the springs of a softened contact are lines of one name

@@ -245,6 +245,36 @@ TEUCHOS_UNIT_TEST(MortarInSpace, CoversThePartThatBothFacesShare) {
 }
 
 // Sides of six and eight nodes choose the mortar automatically; all its conditions have forces in the direction of the pressure.
+// A side whose covered part passes the limit between two shapes: the choices of the first shape are kept up to a band.
+TEUCHOS_UNIT_TEST(MortarInSpace, KeepsItsChoicesUpToABand) {
+  const auto shortened = [](double covered) {  // of the last column of the carrying side
+    Mesh mesh = facing(Cell::Hexahedron20, 2, 1, Cell::Hexahedron20, 3, 2, 0.0);
+    move(mesh, 1, [&](const Point& p) { return Point{p[0] * (1 + covered) / 2, p[1], p[2]}; });
+    return mesh;
+  };
+  const auto pairsAfter = [&](const std::vector<double>& covered) {
+    MortarChoices choices;
+    std::size_t last = 0;
+    for (const double part : covered) {
+      const Mesh mesh = shortened(part);
+      Problems problems;
+      std::vector<std::string> notes;
+      std::vector<ContactSurface> contacts = contactsOn(mesh, {mortar(Contact::Carrier::SideA)}, problems);
+      contacts[0].choices = &choices;
+      last = pairSurface(mesh, contacts[0], problems, notes).pairs.size();
+    }
+    return last;
+  };
+  const std::size_t whole = pairsAfter({1.0}), parted = pairsAfter({0.93});
+  TEST_COMPARE(whole, >, parted);
+  TEST_EQUALITY(pairsAfter({0.96}), whole);
+  TEST_EQUALITY(pairsAfter({1.0, 0.96}), whole);
+  TEST_EQUALITY(pairsAfter({0.93, 0.96}), parted);
+  TEST_EQUALITY(pairsAfter({0.93, 0.96, 0.98}), whole);
+  TEST_EQUALITY(pairsAfter({0.93, 0.98, 0.96}), whole);
+  TEST_EQUALITY(pairsAfter({1.0, 0.93}), parted);
+}
+
 // The normal at an edge is that of both faces if the other face ends there, and a strain before or after it: here a bent face on a flat
 // one, whose normals differ.
 TEUCHOS_UNIT_TEST(MortarInSpace, HasTheSameNormalsIfTheOtherSideEndsAStrainEarlier) {

@@ -21,7 +21,7 @@ class LineSampling : public MortarSampling {
   LineSampling(const LineSampling&) = delete;
   LineSampling& operator=(const LineSampling&) = delete;
 
-  /// The number of nodes of the side where it is covered (MortarSamples::isWhole), else two: a quadratic stress is not positive on part of
+  /// The number of nodes of the side where it is covered (MortarSamples::kWhole), else two: a quadratic stress is not positive on part of
   /// a side.
   int functions(int side, bool whole) const override { return whole ? own_[side].count() : 2; }
   Point rowNormal(int side, int node) const override;

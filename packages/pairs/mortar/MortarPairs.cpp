@@ -27,7 +27,12 @@ class Mortar {
   /// \param other  the other face; null for an obstacle
   Mortar(const ContactSurface& contact, const Surface& own, const Surface* other, double sign,
          std::unique_ptr<const MortarSampling> sampling)
-      : contact_(contact), sign_(sign), surface_(own), other_(other), sampling_(std::move(sampling)) {
+      : contact_(contact),
+        kept_(contact.choices && contact.choices->onA == (sign > 0.0) ? *contact.choices : MortarChoices()),
+        sign_(sign),
+        surface_(own),
+        other_(other),
+        sampling_(std::move(sampling)) {
     for (int side = 0; side < surface_.sides(); ++side) {
       const int carriers = sampling_->functions(side, true);
       for (int j = 0; j < carriers; ++j)
@@ -61,6 +66,18 @@ class Mortar {
     for (const auto& entry : rows_)
       if (!isReached(entry.first)) nodes.push_back(entry.first);
     return nodes;
+  }
+
+  /// Choices of these pairs, for those of the next shapes.
+  MortarChoices choices() {
+    integrate();
+    MortarChoices choices;
+    if (rows_.empty()) return choices;
+    choices.onA = sign_ > 0.0;
+    choices.whole = whole_;
+    for (const auto& entry : rows_)
+      if (isReached(entry.first)) choices.reached.insert(entry.first);
+    return choices;
   }
 
   PairedSurface pairs() {
@@ -138,7 +155,9 @@ class Mortar {
       setOf.push_back(static_cast<int>(at));
     }
     addCoverage(side, sets.front().covered);
-    const bool whole = std::all_of(sets.begin(), sets.end(), [](const MortarSamples& set) { return set.isWhole(); });
+    const double limit = kept_.limit(MortarSamples::kWhole, kept_.whole.count(side) > 0);
+    const bool whole = std::all_of(sets.begin(), sets.end(), [&](const MortarSamples& set) { return set.covered > limit; });
+    if (whole) whole_.insert(side);
     for (int j = 0; j < carriers; ++j) {
       double& reach = reach_[nodes[j]];
       reach = std::max(reach, whole ? 1.0 : sets[setOf[j]].reach[j]);
@@ -208,7 +227,10 @@ class Mortar {
 
   /// A node of both faces, as at the tip of a crack, cannot separate from itself: it carries no condition.
   bool isShared(int node) const { return other_ && other_->nodes().count(node) > 0; }
-  bool isReached(int node) const { return reach_.at(node) >= MortarSamples::kReach && !halved_.count(node) && !isShared(node); }
+  bool isReached(int node) const {
+    const double limit = kept_.limit(MortarSamples::kReach, kept_.reached.count(node) > 0);
+    return reach_.at(node) >= limit && !halved_.count(node) && !isShared(node);
+  }
 
   std::map<int, int> findHeirs() const {
     std::map<int, int> heirs;
@@ -261,6 +283,7 @@ class Mortar {
   }
 
   const ContactSurface& contact_;
+  const MortarChoices kept_;  // of the last shapes
   double sign_;
   const Surface& surface_;
   const Surface* other_;
@@ -270,6 +293,7 @@ class Mortar {
   std::map<int, double> reach_;      // by node: largest value of its linear function on the covered part
   std::set<int> linearSides_;        // sides covered in part, with linear functions
   std::set<int> halved_;             // mid-side nodes that transfer their share
+  std::set<int> whole_;              // sides covered entirely
   double coveredIntervals_ = 0, leastCovered_ = 1;
   bool coverageKnown_ = false, integrated_ = false;
 };
@@ -294,6 +318,7 @@ bool carriesBetter(Mortar& a, Mortar& b) {
 
 std::unique_ptr<Mortar> makeMortar(const Mesh& mesh, const ContactSurface& contact) {
   using Carrier = ContactSurface::Carrier;
+  if (contact.choices && contact.choices->onA) return mortarOn(*contact.choices->onA, mesh, contact);
   if (contact.carrier != Carrier::Automatic) return mortarOn(contact.carrier == Carrier::SideA, mesh, contact);
   auto a = mortarOn(true, mesh, contact), b = mortarOn(false, mesh, contact);
   return carriesBetter(*a, *b) ? std::move(a) : std::move(b);
@@ -334,6 +359,7 @@ PairedSurface mortarPairs(const ContactSurface& contact, std::unique_ptr<const M
 PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes) {
   const std::unique_ptr<Mortar> mortar = makeMortar(mesh, contact);
   PairedSurface result = mortar->pairs();
+  if (contact.choices) *contact.choices = mortar->choices();
   if (result.pairs.empty())
     problems.add(contact.path, "the sides " + contact.a.name() + " and " + contact.b.name() +
                                    " overlap nowhere: no normal of one side meets the other. Do the bodies lie on opposite sides of the " +

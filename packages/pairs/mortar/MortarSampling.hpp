@@ -28,11 +28,9 @@ struct MortarSamples {
   /// reaches it.
   ShapeValues reach{};
 
-  /// True if the other face covers the side so far that quadratic functions of a multiplier have positive integrals there.
-  bool isWhole() const { return covered > kWhole; }
-
-  /// Sides that end together as drawn cover each other except for a strain once they are loaded: they remain whole. All integrals are
-  /// positive down to .94 (nine nodes, a corner uncovered), .89 (eight nodes), .75 (three nodes in 2D) and .11 (six nodes).
+  /// Covered part from which on a side counts as covered entirely: quadratic functions of a multiplier have positive integrals there. Sides
+  /// that end together as drawn cover each other except for a strain once they are loaded: they remain whole. All integrals are positive
+  /// down to .94 (nine nodes, a corner uncovered), .89 (eight nodes), .75 (three nodes in 2D) and .11 (six nodes).
   static constexpr double kWhole = 0.95;
   /// Largest value of a node's hat function on the covered part below which the node carries no condition. At the end of a side on a smooth
   /// partner the pressure of like bodies behaves as r^-0.23: its mean weighted with the hat function of a node beyond the end is up to

@@ -112,29 +112,34 @@ MovingConstraints::Drives MovingConstraints::drivesAt(const std::vector<double>&
   return drives;
 }
 
-Constraints MovingConstraints::ofPresent(const Mesh& present, const Drives& drives) const {
-  return scene_.constraints(present, [&](Condition& condition) {
-    condition.movesFar = true;
-    const auto found = drives.find(condition.name);
-    if (found == drives.end()) return;
-    const Drive& drive = found->second;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (condition.motions[k]) condition.motions[k] = drive.shift[k];
-      if (condition.motions[3 + k]) condition.motions[3 + k] = drive.turn[k];
-    }
-    condition.point = drive.point;
-    condition.factor = 0;
-  });
+Constraints MovingConstraints::ofPresent(const Mesh& present, const Drives& drives, KeptChoices& choices) const {
+  return scene_.constraints(
+      present,
+      [&](Condition& condition) {
+        condition.movesFar = true;
+        const auto found = drives.find(condition.name);
+        if (found == drives.end()) return;
+        const Drive& drive = found->second;
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (condition.motions[k]) condition.motions[k] = drive.shift[k];
+          if (condition.motions[3 + k]) condition.motions[3 + k] = drive.turn[k];
+        }
+        condition.point = drive.point;
+        condition.factor = 0;
+      },
+      &choices);
 }
 
-std::vector<ContactPair> MovingConstraints::pairsOf(double time, const MovingBodies& bodies, const Mesh& present) const {
-  return ofPresent(present, drivesAt(scene_.steps.at(time), bodies)).pairs;
+std::vector<ContactPair> MovingConstraints::pairsOf(double time, const MovingBodies& bodies, const Mesh& present,
+                                                    KeptChoices choices) const {
+  return ofPresent(present, drivesAt(scene_.steps.at(time), bodies), choices).pairs;
 }
 
-Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history) const {
+Constraints MovingConstraints::at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history,
+                                  KeptChoices& choices) const {
   const std::vector<double> factors = scene_.steps.at(time);
   const Drives drives = drivesAt(factors, bodies);
-  Constraints constraints = ofPresent(present, drives);
+  Constraints constraints = ofPresent(present, drives, choices);
   setRules(factors, bodies, present, drives, constraints);
   constraints.prescribed.clear();
   applyLaws(scene_.laws, present, fromDrawn(constraints.rules, bodies), constraints);

@@ -18,10 +18,11 @@ class MovingConstraints {
 
   /// Moves bodies to the places that rigid groups and displacements prescribe at a time: the start of the first round of a step.
   void drive(double time, MovingBodies& bodies) const;
-  /// \param present  the bodies' present mesh \throws InputError  as buildConstraints(), as if a contact has no facing sides any more
-  Constraints at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history) const;
+  /// \param present  the bodies' present mesh \param choices  see buildConstraints() \throws InputError  as buildConstraints(), as if a
+  /// contact has no facing sides any more
+  Constraints at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history, KeptChoices& choices) const;
   /// Contact pairs of the shapes of a mesh, with their gaps there.
-  std::vector<ContactPair> pairsOf(double time, const MovingBodies& bodies, const Mesh& present) const;
+  std::vector<ContactPair> pairsOf(double time, const MovingBodies& bodies, const Mesh& present, KeptChoices choices) const;
 
  private:
   /// Motion of a rigid group that its condition still requires, about a present point; components that it leaves free are zero.
@@ -34,7 +35,7 @@ class MovingConstraints {
   /// Motions that rigid groups lack at a time. \param factors  of loads and motions at that time
   Drives drivesAt(const std::vector<double>& factors, const MovingBodies& bodies) const;
   /// Constraints of the present mesh, as if it were drawn so.
-  Constraints ofPresent(const Mesh& present, const Drives& drives) const;
+  Constraints ofPresent(const Mesh& present, const Drives& drives, KeptChoices& choices) const;
   Drive driveOf(const RigidGroup& group, const std::vector<double>& factors, const MovingBodies& bodies) const;
   /// Displacements that conditions prescribe at the nodes of the drawn mesh, from their drawn places, by node.
   std::map<int, Point> prescribedAt(const std::vector<double>& factors) const;

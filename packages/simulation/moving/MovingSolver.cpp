@@ -99,7 +99,7 @@ void MovingSolver::placeLoads(double time) {
 void MovingSolver::place(double time) {
   collectivelyOnRoot(comm(), "placing the bodies", [&] {
     parts_.mesh = now_.bodies.placed();
-    parts_.constraints = constraints_->at(time, now_.bodies, now_.bodies.present(), history_);
+    parts_.constraints = constraints_->at(time, now_.bodies, now_.bodies.present(), history_, now_.choices);
   });
   renewConstraints(comm(), parts_.mesh, parts_.constraints, parts_.cut.meshes);
   placeMeshes();
@@ -166,6 +166,7 @@ MovingSolver::State MovingSolver::stateAfter(const Solution& solution, Settling&
 
 Solution MovingSolver::solve(const Solution*, bool, const std::vector<Vector>*, double continues) {
   now_ = accepted_;
+  now_.choices.clear();
   loads_.goBack();
   collectivelyOnRoot(comm(), "driving the bodies", [&] {
     moveOn(continues);
@@ -263,7 +264,7 @@ void MovingSolver::findApart() {
   where.clear();
   collectivelyOnRoot(comm(), "searching the contact pairs again", [&] {
     const double scale = Settling(extent_).scale(now_.bodies.beside().cwiseAbs().maxCoeff());
-    for (const ContactPair& pair : constraints_->pairsOf(parts_.path->presentTime(), now_.bodies, now_.bodies.present())) {
+    for (const ContactPair& pair : constraints_->pairsOf(parts_.path->presentTime(), now_.bodies, now_.bodies.present(), now_.choices)) {
       if (!parts_.scene.laws.of(pair.line).separates()) continue;
       const bool isClosed = now_.states.statusOf(pair) != PairStatus::Open;
       const double apart = (isClosed ? std::abs(pair.gap) : std::max(0.0, -pair.gap)) / scale;

@@ -40,7 +40,8 @@ class MovingSolver : public StepSolver {
   struct State {
     MovingBodies bodies;
     KeptStates states;
-    Vector change;  // change of the places of all nodes in the last round
+    KeptChoices choices;  // decisions of mortars in the rounds of a step
+    Vector change;        // change of the places of all nodes in the last round
   };
   /// Largest distance of closed pairs, and penetration of others, between the shapes of a round, and its place.
   struct Apart {
