@@ -274,7 +274,7 @@ constexpr double kParallel = 1e-9;  // 1 - cosine of the angle between axes that
 constexpr double kTangent = 0.5;    // shortest tangential part of an axis that counts as tangential
 constexpr double kSameValue = 32.0 * std::numeric_limits<double>::epsilon();  // difference of values that is round-off, relative to places
 
-/// What holds the nodes of a scene.
+/// Rules by which nodes are held, and the rigid groups whose nodes follow others.
 struct Holds {
   std::vector<const NodeRule*> ruleOf;  // by node
   RigidGroupNodes groups;
@@ -287,7 +287,8 @@ struct Holds {
     if (rule && rule->fixed[static_cast<std::size_t>(axis)]) groups.forEachMaster(node, axis, [&](int, int, double) { follows = true; });
     return rule && rule->fixed[static_cast<std::size_t>(axis)] && !follows ? rule : nullptr;
   }
-  /// True if the displacement of a node along an axis, in either sense, is prescribed. \param within  difference that is round-off [length]
+  /// True if the displacement of a node along an axis, in either sense, is prescribed with this value. [length] \param within  difference
+  /// that is round-off [length]
   bool fixes(int node, const Point& axis, double value, double within) const {
     for (int k = 0; k < dimension; ++k) {
       const NodeRule* rule = fixing(node, k);

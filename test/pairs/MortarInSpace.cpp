@@ -217,6 +217,22 @@ TEUCHOS_UNIT_TEST(MortarInSpace, BalancesTheMomentsOfEachPair) {
 }
 
 // The upper box is shifted: only a part is covered, across elements.
+// Ends on the carrying side come first; on second-order sides single weights there have either sign.
+TEUCHOS_UNIT_TEST(MortarInSpace, KnowsItsOwnEnds) {
+  bool mixed = false;
+  for (const Cell lower : all)
+    for (const auto carrier : {Contact::Carrier::SideA, Contact::Carrier::SideB}) {
+      const Mesh mesh = facing(lower, 3, 2, Cell::Hexahedron20, 4, 3, 0.0);
+      for (const ContactPair& pair : pairsOf(mesh, mortar(carrier)).pairs)
+        for (int i = 0; i < static_cast<int>(pair.ends.size()); ++i) {
+          const PairEnd& end = pair.ends[static_cast<std::size_t>(i)];
+          TEST_EQUALITY(mesh.bodyOfNode[end.node] == mesh.bodyOfNode[pair.node()], i < pair.own);
+          mixed = mixed || (i < pair.own && end.weight * pair.ends.front().weight < 0.0);
+        }
+    }
+  TEST_ASSERT(mixed);
+}
+
 TEUCHOS_UNIT_TEST(MortarInSpace, CoversThePartThatBothFacesShare) {
   for (const Cell lower : all)
     for (const Cell upper : all)

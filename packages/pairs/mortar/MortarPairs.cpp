@@ -20,7 +20,9 @@ namespace {
 constexpr double kParallel = 1e-13;  // difference up to which two normals count as equal
 constexpr double kCoversSide = 0.9;  // fraction of each side that is covered if the other face has no end on this one
 constexpr double kDistinct = 1e-8;   // ratio of pivots up to which the shape functions are distinct on a covered part in 3D
-constexpr double kMuchFiner = 2.0;   // intervals of one side per interval of the other
+// Width of the limits of earlier decisions (MortarChoices), as a part of a side: strains change covered parts by less.
+constexpr double kBand = 0.02;
+constexpr double kMuchFiner = 2.0;  // intervals of one side per interval of the other
 
 class Mortar {
  public:
@@ -155,7 +157,7 @@ class Mortar {
       setOf.push_back(static_cast<int>(at));
     }
     addCoverage(side, sets.front().covered);
-    const double limit = kept_.limit(MortarSamples::kWhole, kept_.whole.count(side) > 0);
+    const double limit = limitOf(MortarSamples::kWhole, kept_.whole.count(side) > 0);
     const bool whole = std::all_of(sets.begin(), sets.end(), [&](const MortarSamples& set) { return set.covered > limit; });
     if (whole) whole_.insert(side);
     for (int j = 0; j < carriers; ++j) {
@@ -225,10 +227,12 @@ class Mortar {
     }
   }
 
+  /// Covered part from which on a decision is made. \param was  the earlier decision
+  double limitOf(double limit, bool was) const { return kept_.onA && !was ? limit + kBand : limit; }
   /// A node of both faces, as at the tip of a crack, cannot separate from itself: it carries no condition.
   bool isShared(int node) const { return other_ && other_->nodes().count(node) > 0; }
   bool isReached(int node) const {
-    const double limit = kept_.limit(MortarSamples::kReach, kept_.reached.count(node) > 0);
+    const double limit = limitOf(MortarSamples::kReach, kept_.reached.count(node) > 0);
     return reach_.at(node) >= limit && !halved_.count(node) && !isShared(node);
   }
 
@@ -283,7 +287,7 @@ class Mortar {
   }
 
   const ContactSurface& contact_;
-  const MortarChoices kept_;  // of the last shapes
+  const MortarChoices kept_;  // choices on the last shapes, if this face carried there
   double sign_;
   const Surface& surface_;
   const Surface* other_;

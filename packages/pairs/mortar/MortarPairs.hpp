@@ -20,9 +20,9 @@ namespace suture {
 ///
 /// A three-node element that is covered in part carries a linear stress, because a quadratic one is not positive there; the same holds for
 /// second-order sides in 3D, which have functions with positive integrals where they are covered entirely (FaceSampling): a condition may
-/// then have several nodes of the carrying side. A side counts as covered entirely if less than a twentieth is not. A node beyond the end
-/// of the other side whose hat function stays below .9 on the covered part transfers its psi to the nearest node that the other side
-/// reaches: the psi sum to one wherever the sides meet.
+/// then have several nodes of the carrying side. Sides of which less than a twentieth is uncovered count as covered entirely. If the hat
+/// function of a node beyond the end of the other side stays below .9 on the covered part, the node transfers its psi to the nearest node
+/// that the other side reaches: the psi sum to one wherever the sides meet.
 ///
 /// \param problems  receives sides that do not overlap;  \param notes  receives warnings if the scene selects the finer of two curved sides
 /// as carrier, or if the sides share only part of an element

@@ -25,7 +25,7 @@ class Segmentation {
   static std::optional<Meeting> meet(const Point& from, const Point& direction, const MortarSegment& other);
   /// Nearest meeting with any side of the other surface, before or behind `from`, except those that are reached only through a body; if the
   /// line misses all sides, the end of a side that is nearest to it. \param body  body of `from`: only other bodies are met
-  /// \param beyond  distance of the line from that end [length]
+  /// \param beyond  largest distance of the line from that end [length]
   std::optional<Meeting> nearest(const Point& from, const Point& direction, int body, double beyond = 0.0) const;
 
   /// Part of a side for which one side of the other surface is the nearest.

@@ -21,7 +21,7 @@ class MovingConstraints {
   /// \param present  the bodies' present mesh \param choices  see buildConstraints() \throws InputError  as buildConstraints(), as if a
   /// contact has no facing sides any more
   Constraints at(double time, const MovingBodies& bodies, const Mesh& present, const SlipHistory& history, KeptChoices& choices) const;
-  /// Contact pairs of the shapes of a mesh, with their gaps there.
+  /// Contact pairs of the shapes of a mesh, with their gaps there. \param choices  see buildConstraints()
   std::vector<ContactPair> pairsOf(double time, const MovingBodies& bodies, const Mesh& present, KeptChoices choices) const;
 
  private:
