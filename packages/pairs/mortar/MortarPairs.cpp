@@ -21,6 +21,8 @@ constexpr double kParallel = 1e-13;  // difference up to which two normals count
 constexpr double kCoversSide = 0.9;  // fraction of each side that is covered if the other face has no end on this one
 constexpr double kDistinct = 1e-8;   // ratio of pivots up to which the shape functions are distinct on a covered part in 3D
 // Width of the limits of earlier decisions (MortarChoices), as a part of a side: strains change covered parts by less.
+// Not critical: with 0.005, 0.01, 0.02 and 0.03 a path of a hollow body takes 213, 213, 216 and 207 iterations, those of a cam and of a
+// roller the same ones.
 constexpr double kBand = 0.02;
 constexpr double kMuchFiner = 2.0;  // intervals of one side per interval of the other
 
